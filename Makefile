@@ -1,0 +1,45 @@
+# On a machine with Python 3.11 or later and make, each target sets up what it needs, once.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/.ready
+
+.DEFAULT_GOAL := help
+.PHONY: help install paper test lint format bench clean
+
+help: ## Show this list
+	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' Makefile
+
+install: $(READY) ## Set up .venv (the other targets do it by themselves)
+
+# The stamp comes last, so a set-up that was broken off is started again.
+$(READY): pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "covey needs Python 3.11 or later, and $(PYTHON) is " + sys.version.split()[0] + ". Name another: make PYTHON=python3.12")'
+	@echo "Setting up $(VENV): about a minute, and only when pyproject.toml or constraints.txt has changed"
+	@$(PYTHON) -m venv $(VENV)
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev]'
+	@touch $@
+
+paper: $(READY) ## Reproduce the paper's tables and figures in results/
+	$(BIN)/python -m covey reproduce --output results
+
+# Each worker loads the compiled kernels anew, so more than eight cost more than they bring.
+test: $(READY) ## Run the tests on all cores (ARGS='-k name' for some of them)
+	$(BIN)/python -m pytest -n auto --maxprocesses 8 $(ARGS)
+
+lint: $(READY) ## Check format, style, types and who imports whom
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports --no-logo
+
+format: $(READY) ## Format the code and mend what can be mended by rule
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+
+bench: $(READY) ## Measure speed; never a part of the tests
+	$(BIN)/python -m pytest benchmarks --benchmark-only $(ARGS)
+
+clean: ## Remove the environment and all caches, but no results
+	rm -rf $(VENV) build dist .benchmarks .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
+	find src tests benchmarks -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true

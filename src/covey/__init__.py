@@ -1,0 +1,85 @@
+"""Plans how a team of turn-limited vehicles survives, as a team, against a faster hidden pursuer.
+
+Every public name is listed here and imported when it is first used, so that `import covey` stays
+quick and doesn't load the compiler.
+
+After S.-Y. Liu, Z. Zhou, C. Tomlin and J. K. Hedrick, "Evasion of a Team of Dubins Vehicles from a
+Hidden Pursuer", ICRA 2014.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from covey.model import InputError as InputError
+    from covey.model import PursuerDisk as PursuerDisk
+    from covey.model import Team as Team
+    from covey.model import turns_to as turns_to
+    from covey.planning import Guarantee as Guarantee
+    from covey.planning import Plan as Plan
+    from covey.planning import PlanStatus as PlanStatus
+    from covey.planning import capture_times as capture_times
+    from covey.planning import guaranteed_survival as guaranteed_survival
+    from covey.planning import plan as plan
+    from covey.players import CommittedPursuer as CommittedPursuer
+    from covey.players import FixedSequence as FixedSequence
+    from covey.players import IterativeOpenLoop as IterativeOpenLoop
+    from covey.players import OpenLoop as OpenLoop
+    from covey.players import simulate as simulate
+    from covey.simulation import Chase as Chase
+    from covey.simulation import Fly as Fly
+    from covey.simulation import Game as Game
+    from covey.simulation import GameStatus as GameStatus
+    from covey.simulation import Situation as Situation
+    from covey.simulation import load_game as load_game
+    from covey.simulation import save_game as save_game
+
+_ROOMS = {
+    "covey.model": ("InputError", "PursuerDisk", "Team", "turns_to"),
+    "covey.planning": (
+        "Guarantee",
+        "Plan",
+        "PlanStatus",
+        "capture_times",
+        "guaranteed_survival",
+        "plan",
+    ),
+    "covey.players": (
+        "CommittedPursuer",
+        "FixedSequence",
+        "IterativeOpenLoop",
+        "OpenLoop",
+        "simulate",
+    ),
+    "covey.simulation": (
+        "Chase",
+        "Fly",
+        "Game",
+        "GameStatus",
+        "Situation",
+        "load_game",
+        "save_game",
+    ),
+}
+_HOME = {name: room for room, names in _ROOMS.items() for name in names}
+
+__all__ = sorted(_HOME)  # noqa: PLE0605 sorted() gives a list
+
+
+def __getattr__(name: str) -> object:
+    """Import a public name from its room when it is first asked for."""
+    if name == "__version__":
+        from importlib.metadata import version  # noqa: PLC0415 it costs more than all the rest
+
+        return version("covey")
+    if name not in _HOME:
+        raise AttributeError(f"module 'covey' has no attribute {name!r}")
+    value = getattr(import_module(_HOME[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

@@ -1,0 +1,68 @@
+"""The one place that decides how kernels are compiled."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TypeVar
+
+import numba
+
+Function = TypeVar("Function", bound=Callable[..., object])
+
+
+# - nogil: kernels touch no Python object, so threads may run them side by side.
+# - error_model="numpy": a division by zero gives inf as in NumPy, and no test for it stands in the
+#   inner loops.
+# - no fastmath: the guarantee is compared with what happens to 1e-9, and the same game must give
+#   the same bits on every path through the code.
+_COMMON = {"nogil": True, "error_model": "numpy"}
+
+# Without numba's runtime nothing can be allocated, and no array is counted: the counting took four
+# fifths of the time of an interception.
+_NO_ALLOCATION = {"_nrt": False}
+
+
+def compiled(function: Function) -> Function:
+    """Compile a kernel that allocates nothing, and keep the machine code on disk.
+
+    Compiling all kernels takes the better part of a minute, reading them back a fraction of a
+    second.
+    """
+    decorated: Function = numba.njit(cache=True, **_COMMON, **_NO_ALLOCATION)(function)
+    return decorated
+
+
+def inlined(function: Function) -> Function:
+    """Compile a small kernel into each of its callers.
+
+    It isn't kept on disk: what comes from there is machine code, which LLVM can call but no longer
+    inline, and a call costs as much as an interception.
+    """
+    decorated: Function = numba.njit(forceinline=True, **_COMMON, **_NO_ALLOCATION)(function)
+    return decorated
+
+
+def allocating(function: Function) -> Function:
+    """Compile a kernel that makes arrays: scratch for the others, or a record that grows."""
+    decorated: Function = numba.njit(cache=True, **_COMMON)(function)
+    return decorated
+
+
+def _forget_stale_cache() -> None:
+    """Remove compiled kernels that are older than any source of this room.
+
+    numba looks only at the file in which a kernel stands, so a change in one that it *calls*
+    would go unnoticed.
+    """
+    room = Path(__file__).parent
+    newest = max(source.stat().st_mtime for source in room.glob("*.py"))
+    for index in room.glob("__pycache__/*.nbi"):
+        try:
+            if index.stat().st_mtime < newest:
+                index.unlink()
+        except OSError:  # another process was quicker, or the folder is read-only
+            continue
+
+
+_forget_stale_cache()

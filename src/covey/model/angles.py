@@ -1,0 +1,41 @@
+"""Angles: radians, counter-clockwise from +x."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from covey.model.checks import Floats, frozen_array
+from covey.model.team import Team
+
+
+def wrap_angle(angle: npt.ArrayLike) -> Floats:
+    """Return `angle` (any shape, radians) as the same direction in [-π, π]."""
+    return np.remainder(np.asarray(angle, dtype=np.float64) + math.pi, 2 * math.pi) - math.pi
+
+
+def turns_to(team: Team, goal_headings: npt.ArrayLike) -> Floats:
+    """Signed turns δ that bring each evader to a goal heading φ the shorter way.
+
+    Parameters
+    ----------
+    team
+        N evaders.
+    goal_headings
+        (N,), radians.
+
+    Returns
+    -------
+    numpy.ndarray
+        (N,), radians in [-π, π], positive counter-clockwise. A half turn comes as -π: a goal
+        heading alone doesn't say which way to make it.
+
+    Raises
+    ------
+    InputError
+        If the headings are not N finite numbers.
+    """
+    goals = frozen_array("goal_headings", goal_headings, (len(team),))
+    return wrap_angle(goals - team.headings)

@@ -1,0 +1,108 @@
+"""The border: what comes from outside is checked here, before anything is computed with it.
+
+Every message names the argument, what was wanted and what came.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
+
+
+class InputError(ValueError):
+    """An argument that can't be used; the message says what was wanted and what came."""
+
+
+def frozen_array(name: str, value: object, shape: tuple[int | None, ...]) -> Floats:
+    """Copy `value` to a read-only array of finite floats of `shape` (None: any length)."""
+    wanted = "(" + ", ".join("N" if n is None else str(n) for n in shape) + ")"
+    array = _numbers(name, value)
+    matches = array.ndim == len(shape) and all(
+        n is None or n == m for n, m in zip(shape, array.shape, strict=True)
+    )
+    if not matches:
+        raise InputError(f"{name}: expected an array of shape {wanted}, got shape {array.shape}")
+    _reject(name, array, ~np.isfinite(array), "finite numbers")
+    array.flags.writeable = False
+    return array
+
+
+def frozen_rates(name: str, value: object, count: int, *, infinite: bool) -> Floats:
+    """Broadcast a scalar or (count,) array of rates >= 0 to a read-only (count,) array."""
+    array = _numbers(name, value)
+    if array.shape not in {(), (1,), (count,)}:
+        raise InputError(
+            f"{name}: expected one number, or one for each of {count} evaders, "
+            f"got shape {array.shape}"
+        )
+    array = np.broadcast_to(array, (count,)).copy()
+    bad = np.isnan(array) | (array < 0) | (np.isinf(array) & (not infinite))
+    _reject(name, array, bad, "numbers >= 0" + (" (inf is allowed)" if infinite else ", finite"))
+    array.flags.writeable = False
+    return array
+
+
+def number(
+    name: str, value: object, *, low: float = -np.inf, strictly: bool = False, high: float = np.inf
+) -> float:
+    """Return `value` as a finite float in [low, high], or in (low, high] if `strictly`."""
+    array = _numbers(name, value)
+    if array.shape != ():
+        raise InputError(f"{name}: expected one number, got shape {array.shape}")
+    result = float(array)
+    inside = low < result <= high if strictly else low <= result <= high
+    if not (np.isfinite(result) and inside):
+        wanted = "a finite number"
+        if low > -np.inf:
+            wanted += f" {'>' if strictly else '>='} {low:g}"
+        if high < np.inf:
+            wanted += f" {'and' if low > -np.inf else ''} <= {high:g}"
+        raise InputError(f"{name}: expected {wanted}, got {value!r}")
+    return result
+
+
+def whole_number(name: str, value: object, *, low: int) -> int:
+    """Return `value` as an int >= `low`."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < low:
+        raise InputError(f"{name}: expected a whole number >= {low}, got {value!r}")
+    return int(value)
+
+
+def choice(name: str, value: object, allowed: Sequence[str]) -> str:
+    """Return `value` if it is one of `allowed`."""
+    if not isinstance(value, str) or value not in allowed:
+        raise InputError(f"{name}: expected one of {', '.join(allowed)}, got {value!r}")
+    return value
+
+
+def permutation(name: str, value: object, count: int) -> Ints:
+    """Return `value` as a (count,) array that holds each of 0..count-1 once."""
+    array = np.asarray(value)
+    if array.shape != (count,) or sorted(array.tolist()) != list(range(count)):
+        raise InputError(
+            f"{name}: expected each evader 0..{count - 1} once, got {array.tolist()!r}"
+        )
+    return np.ascontiguousarray(array, dtype=np.int64)
+
+
+def _numbers(name: str, value: object) -> Floats:
+    try:
+        array: npt.NDArray[Any] = np.array(value)
+        if array.dtype.kind in "biuf":
+            return np.array(array, dtype=np.float64)
+    except ValueError:
+        pass  # a ragged list
+    raise InputError(f"{name}: expected numbers, got {value!r}")
+
+
+def _reject(name: str, array: Floats, bad: npt.NDArray[np.bool_], wanted: str) -> None:
+    if bad.any():
+        place = np.unravel_index(int(np.argmax(bad)), array.shape)
+        index = "" if array.size == 1 else "[" + ", ".join(str(int(i)) for i in place) + "]"
+        raise InputError(f"{name}: expected {wanted}, got {name}{index} = {array[place]}")

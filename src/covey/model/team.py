@@ -1,0 +1,77 @@
+"""The team: evaders with limited turning rates (Dubins vehicles)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from covey.model.checks import Floats, InputError, frozen_array, frozen_rates
+
+
+@dataclass(frozen=True, eq=False)
+class Team:
+    """A team of N evaders, each flying at constant speed with a limited turning rate.
+
+    Parameters
+    ----------
+    positions
+        (N, 2), lengths. N >= 1.
+    headings
+        (N,), radians counter-clockwise from +x.
+    speeds
+        One number or (N,), lengths per time, >= 0. Default 0.25 (section V of the paper).
+    turn_rates
+        One number or (N,), radians per time, >= 0; `inf` is simple motion: the evader turns at
+        once. Default π/2 (section V of the paper).
+
+    Attributes
+    ----------
+    positions, headings, speeds, turn_rates : numpy.ndarray
+        As above, broadcast to one row an evader, read-only.
+
+    Raises
+    ------
+    InputError
+        If a shape is wrong, a number is not finite, or a speed or turn rate is negative.
+    """
+
+    positions: Floats
+    headings: Floats
+    speeds: Floats
+    turn_rates: Floats
+
+    def __init__(
+        self,
+        positions: npt.ArrayLike,
+        headings: npt.ArrayLike,
+        speeds: npt.ArrayLike = 0.25,
+        turn_rates: npt.ArrayLike = math.pi / 2,
+    ) -> None:
+        places = frozen_array("positions", positions, (None, 2))
+        count = len(places)
+        if count == 0:
+            raise InputError("positions: expected at least one evader, got none")
+        angles = frozen_array("headings", headings, (None,))
+        if len(angles) != count:
+            raise InputError(
+                f"headings: expected one for each of {count} evaders, got shape {angles.shape}"
+            )
+        for name, value in (
+            ("positions", places),
+            ("headings", angles),
+            ("speeds", frozen_rates("speeds", speeds, count, infinite=False)),
+            ("turn_rates", frozen_rates("turn_rates", turn_rates, count, infinite=True)),
+        ):
+            object.__setattr__(self, name, value)
+
+    def __len__(self) -> int:
+        """Number of evaders."""
+        return len(self.headings)
+
+    def as_rows(self) -> Floats:
+        """Return (N, 5) rows (x, y, heading, speed, turn rate), the form the kernels read."""
+        columns = (self.positions, self.headings, self.speeds, self.turn_rates)
+        return np.column_stack(columns).astype(np.float64)

@@ -1,0 +1,134 @@
+"""What a plan is worth: Algorithm 1 for one sequence, and the exact minimum over all of them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from covey.kernels.path import PATH, set_paths
+from covey.kernels.sequence import capture_times as sequence_times
+from covey.kernels.subsets import MOST_EVADERS, least_time
+from covey.kernels.types import Pursuit
+from covey.model import InputError, PursuerDisk, Team
+from covey.model.checks import Floats, frozen_array, permutation
+
+
+@dataclass(frozen=True)
+class Guarantee:
+    """A guaranteed survival time, and the capture sequence that attains it.
+
+    Attributes
+    ----------
+    time : float
+        No pursuer in the disk can capture the last evader earlier.
+    sequence : tuple of int
+        Order of capture by which a pursuer that knows the plan needs just this time.
+    """
+
+    time: float
+    sequence: tuple[int, ...]
+
+
+def pursuit_of(disk: PursuerDisk) -> Pursuit:
+    """Return the disk as the kernels see it."""
+    x, y = disk.center.tolist()
+    reach = disk.capture_radius
+    return Pursuit(x, y, disk.radius + reach, 2.0 * reach, disk.speed)
+
+
+def check_game(team: Team, disk: PursuerDisk) -> None:
+    """Raise InputError unless this team and this pursuer make a game that can be planned."""
+    disk.require_faster_than(team)
+    if len(team) > MOST_EVADERS:
+        raise InputError(
+            f"team: expected at most {MOST_EVADERS} evaders, got {len(team)}; the exact minimum "
+            f"over all capture sequences needs 8 N 2^N bytes, so split the team"
+        )
+
+
+def capture_times(
+    team: Team, disk: PursuerDisk, turns: npt.ArrayLike, sequence: npt.ArrayLike
+) -> Floats:
+    """Least times at which a pursuer from the disk can capture the team in a given order.
+
+    Parameters
+    ----------
+    team, disk
+        The state of the game.
+    turns
+        (N,) signed turns δ, radians: each evader turns by δ at full rate, then flies straight
+        (eq. 5).
+    sequence
+        (N,) each evader 0..N-1 once.
+
+    Returns
+    -------
+    numpy.ndarray
+        (N,) capture times in the order of `sequence`, not decreasing; the last is f_s of the paper.
+
+    Raises
+    ------
+    InputError
+        If an argument has the wrong shape or an evader is as fast as the pursuer.
+
+    References
+    ----------
+    Algorithm 1 of the paper.
+    """
+    disk.require_faster_than(team)
+    order = permutation("sequence", sequence, len(team))
+    times = np.empty(len(team))
+    sequence_times(_paths(team, disk, turns), pursuit_of(disk), order, times)
+    return times
+
+
+def guaranteed_survival(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> Guarantee:
+    """Survival time that a plan guarantees: the exact minimum over all capture sequences.
+
+    Parameters
+    ----------
+    team, disk
+        The state of the game; up to 18 evaders.
+    turns
+        (N,) signed turns δ, radians.
+
+    Returns
+    -------
+    Guarantee
+        The time and a sequence that attains it.
+
+    Raises
+    ------
+    InputError
+        If an argument has the wrong shape, an evader is as fast as the pursuer, or the team is too
+        large.
+
+    Notes
+    -----
+    The two inner minima of eq. (6), by dynamic programming over subsets (Held and Karp, 1962)
+    instead of N! sequences; memory 8 N 2^N bytes.
+    """
+    check_game(team, disk)
+    n = len(team)
+    sequence = np.empty(n, np.int64)
+    time, _ = least_time(
+        _paths(team, disk, turns),
+        n,
+        pursuit_of(disk),
+        math.inf,
+        np.empty(n << n),
+        np.empty(n),
+        np.empty(n, np.int64),
+        sequence,
+    )
+    return Guarantee(time, tuple(sequence.tolist()))
+
+
+def _paths(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> Floats:
+    checked = frozen_array("turns", turns, (len(team),))
+    paths = np.empty((len(team), PATH))
+    set_paths(team.as_rows(), checked, disk.speed, paths)
+    return paths

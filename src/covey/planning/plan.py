@@ -1,0 +1,212 @@
+"""The open-loop plan that survives longest against any pursuer: the max-min of eq. (6)."""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+import numpy.typing as npt
+
+from covey.kernels.ascent import CONVERGED, STALLED, STEPS_USED_UP, Columns, make_columns
+from covey.kernels.search import (
+    clearly_better,
+    follow_best_start,
+    lay_out_starts,
+    search_scratch,
+)
+from covey.model import InputError, PursuerDisk, Team
+from covey.model.angles import wrap_angle
+from covey.model.checks import Floats, frozen_array, number, whole_number
+from covey.planning.guarantee import (
+    Guarantee,
+    capture_times,
+    check_game,
+    guaranteed_survival,
+    pursuit_of,
+)
+
+DEFAULT_STARTS = 32
+DEFAULT_TOLERANCE = 1e-9
+MOST_STEPS = 200
+CRITICAL_WITHIN = 1e-6
+"""Sequences within this of the guaranteed time, relative, count as critical."""
+SCREENED_PER_START = 8
+"""Random starts that are evaluated for each one that is followed to its maximum."""
+
+
+class PlanStatus(StrEnum):
+    """How the search for a plan ended."""
+
+    CONVERGED = "a local maximum, the best of all starts"
+    STALLED = "the best of all starts, where rounding ended the ascent short of the tolerance"
+    STEPS_USED_UP = "the best start was still rising when its steps were used up"
+    TIME_LIMIT = "the time limit ended the search; the best of the starts made until then"
+
+
+_STATUS = {
+    CONVERGED: PlanStatus.CONVERGED,
+    STALLED: PlanStatus.STALLED,
+    STEPS_USED_UP: PlanStatus.STEPS_USED_UP,
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """A plan for the whole team, and what it guarantees.
+
+    Attributes
+    ----------
+    turns : numpy.ndarray
+        (N,) signed turns δ in [-π, π], radians: turn by δ at full rate, then fly straight.
+    goal_headings : numpy.ndarray
+        (N,) headings φ after the turn, radians in [-π, π].
+    survival_time : float
+        Guaranteed against any pursuer in the disk: the exact minimum over all capture sequences at
+        these turns, whatever the search did.
+    critical_sequences : tuple of tuple of int
+        Capture sequences that attain the guaranteed time or come within 1e-6 of it, relative; the
+        earliest first.
+    status : PlanStatus
+    starts, steps, interceptions : int
+        What the search cost: starts followed to the end, steps of sequential quadratic
+        programming, interceptions computed by the dynamic programme.
+    """
+
+    turns: Floats
+    goal_headings: Floats
+    survival_time: float
+    critical_sequences: tuple[tuple[int, ...], ...]
+    status: PlanStatus
+    starts: int
+    steps: int
+    interceptions: int
+
+
+def plan(
+    team: Team,
+    disk: PursuerDisk,
+    *,
+    seed: int = 0,
+    starts: int = DEFAULT_STARTS,
+    tolerance: float = DEFAULT_TOLERANCE,
+    time_limit: float | None = None,
+    warm_start: Plan | npt.ArrayLike | None = None,
+) -> Plan:
+    """Find the open-loop plan with the longest guaranteed survival time.
+
+    Parameters
+    ----------
+    team, disk
+        The state of the game; up to 18 evaders, each slower than the pursuer.
+    seed
+        Seed of the random starts. The same call gives the same plan, bit for bit.
+    starts
+        How many starts are followed to their local maximum: the warm start, flight straight away
+        from the disk's centre, and the best of eight times as many random ones.
+    tolerance
+        An ascent ends when a step promises less than this, relative to the survival time.
+    time_limit
+        Seconds after which no further start is followed; the first always is. None: no limit.
+    warm_start
+        A Plan, or (N,) turns in [-π, π], to start from. The result is never worse than it.
+
+    Returns
+    -------
+    Plan
+        Where several turns are equally good (an evader that is caught while it turns leaves the
+        angle of its turn open), the first start that came to them decides; compare survival times,
+        never headings.
+
+    Raises
+    ------
+    InputError
+        If an argument can't be used.
+
+    Notes
+    -----
+    The max-min of eq. (6) in the signed turns δ, where the guaranteed time is continuous.
+    Sequential quadratic programming with exact second derivatives on a few capture sequences; a
+    dynamic programme over subsets finds the sequence that is missing (column generation).
+    """
+    check_game(team, disk)
+    number("tolerance", tolerance, low=0.0, strictly=True)
+    deadline = math.inf
+    if time_limit is not None:
+        deadline = time.perf_counter() + number("time_limit", time_limit, low=0.0)
+    followed = whole_number("starts", starts, low=1)
+    n = len(team)
+    turns, columns = np.zeros(n), make_columns(n)
+    if warm_start is not None:
+        turns[:] = _turns_of(warm_start, n)
+    noise = start_noise(seed, followed, n)
+    scratch = search_scratch(len(noise) + 2, n)
+    evaders, pursuit = team.as_rows(), pursuit_of(disk)
+    count = lay_out_starts(evaders, n, pursuit, noise, warm_start is not None, turns, scratch)
+    best, status = -math.inf, PlanStatus.CONVERGED
+    tallies = []
+    for _ in range(min(followed, count)):
+        value, ended, tally = follow_best_start(
+            evaders, n, pursuit, count, best, tolerance, MOST_STEPS, turns, columns, scratch
+        )
+        tallies.append(tally)
+        if clearly_better(value, best):
+            best, status = value, _STATUS[ended]
+        if time.perf_counter() > deadline:
+            status = PlanStatus.TIME_LIMIT
+            break
+    guarantee = guaranteed_survival(team, disk, turns)
+    return Plan(
+        turns=_read_only(turns),
+        goal_headings=_read_only(wrap_angle(team.headings + turns)),
+        survival_time=guarantee.time,
+        critical_sequences=_critical(team, disk, turns, columns, guarantee),
+        status=status,
+        starts=len(tallies),
+        steps=sum(tally.steps for tally in tallies),
+        interceptions=sum(tally.interceptions for tally in tallies),
+    )
+
+
+def start_noise(seed: int, starts: int, n: int) -> Floats:
+    """Return (8 (starts - 1), n) random numbers in [-1, 1] that turn the starts of a search."""
+    generator = np.random.default_rng(whole_number("seed", seed, low=0))
+    return generator.uniform(-1.0, 1.0, (SCREENED_PER_START * max(starts - 1, 0), n))
+
+
+def columns_of(plan: Plan) -> Columns:
+    """Return the plan's critical sequences as the columns that a warm ascent starts with."""
+    n = len(plan.turns)
+    columns = make_columns(n)
+    rows = plan.critical_sequences[: len(columns.weights)]
+    columns.used[0] = len(rows)
+    columns.sequences[: len(rows)] = rows
+    return columns
+
+
+def _turns_of(warm_start: Plan | npt.ArrayLike, n: int) -> Floats:
+    turns = warm_start.turns if isinstance(warm_start, Plan) else warm_start
+    checked = frozen_array("warm_start", turns, (n,))
+    if np.abs(checked).max() > math.pi:
+        raise InputError(f"warm_start: expected turns in [-π, π], got {checked.tolist()}")
+    return checked
+
+
+def _critical(
+    team: Team, disk: PursuerDisk, turns: Floats, columns: Columns, guarantee: Guarantee
+) -> tuple[tuple[int, ...], ...]:
+    """The sequences among the columns that attain the guarantee, the worst one first."""
+    latest = guarantee.time * (1.0 + CRITICAL_WITHIN)
+    found = {guarantee.sequence: guarantee.time}
+    for row in columns.sequences[: columns.used[0]]:
+        last = capture_times(team, disk, turns, row)[-1]
+        if last <= latest:
+            found.setdefault(tuple(row.tolist()), float(last))
+    return tuple(sorted(found, key=lambda sequence: (found[sequence], sequence)))
+
+
+def _read_only(array: Floats) -> Floats:
+    array.flags.writeable = False
+    return array

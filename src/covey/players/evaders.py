@@ -1,0 +1,142 @@
+"""Teams that plan in open loop: once, or again at every update (section IV.C of the paper)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from covey.kernels import game
+from covey.kernels.replanning import forget_captured, replan
+from covey.kernels.search import search_scratch
+from covey.model.checks import Floats, whole_number
+from covey.planning import plan
+from covey.planning.guarantee import pursuit_of
+from covey.planning.plan import (
+    DEFAULT_STARTS,
+    DEFAULT_TOLERANCE,
+    MOST_STEPS,
+    columns_of,
+    start_noise,
+)
+from covey.simulation import Situation, TeamPolicy
+
+
+@dataclass(frozen=True)
+class OpenLoop:
+    """Plan once, and fly that plan to the end.
+
+    Parameters
+    ----------
+    starts
+        Starts of the search for the plan; see `covey.plan`.
+    """
+
+    starts: int = DEFAULT_STARTS
+
+    def __post_init__(self) -> None:
+        """Check the field."""
+        whole_number("OpenLoop.starts", self.starts, low=1)
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return name and parameters, as a scenario file gives them."""
+        return {"name": "open-loop", "starts": self.starts}
+
+    def compiled(self) -> game.TeamPolicy:
+        """Return the policy of a compiled game."""
+        return game.TeamPolicy(False, 0, DEFAULT_TOLERANCE, MOST_STEPS)
+
+    def start(self, seed: int) -> TeamPolicy:
+        """Return the policy of one game."""
+        begun = False
+
+        def turns(situation: Situation) -> Floats:
+            nonlocal begun
+            if begun:
+                return situation.turns
+            begun = True
+            return plan(situation.team, situation.disk, seed=seed, starts=self.starts).turns
+
+        return turns
+
+
+@dataclass(frozen=True)
+class IterativeOpenLoop:
+    """Plan again at every update, from the present state: the paper's iOL.
+
+    The plan that is flown is always the first start, so the team never survives less than its
+    first plan guaranteed.
+
+    Parameters
+    ----------
+    starts
+        Starts of the search for the first plan; see `covey.plan`.
+    restarts
+        Other starts that are followed when an evader has been captured, for then the game is a
+        new one.
+    """
+
+    starts: int = DEFAULT_STARTS
+    restarts: int = 8
+
+    def __post_init__(self) -> None:
+        """Check the fields."""
+        whole_number("IterativeOpenLoop.starts", self.starts, low=1)
+        whole_number("IterativeOpenLoop.restarts", self.restarts, low=0)
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return name and parameters, as a scenario file gives them."""
+        return {"name": "iterative-open-loop", "starts": self.starts, "restarts": self.restarts}
+
+    def compiled(self) -> game.TeamPolicy:
+        """Return the policy of a compiled game."""
+        return game.TeamPolicy(True, self.restarts, DEFAULT_TOLERANCE, MOST_STEPS)
+
+    def start(self, seed: int) -> TeamPolicy:
+        """Return the policy of one game."""
+        return _Replanning(self, seed)
+
+
+class _Replanning:
+    """The memory of an iterative open-loop team: its columns, and who lived at the last update."""
+
+    def __init__(self, strategy: IterativeOpenLoop, seed: int) -> None:
+        self._strategy, self._seed = strategy, seed
+        self._living: tuple[int, ...] = ()
+
+    def __call__(self, situation: Situation) -> Floats:
+        if not self._living:
+            return self._begin(situation)
+        for i in self._living:
+            if i not in situation.evaders:
+                forget_captured(self._columns, len(self._living), self._living.index(i))
+                self._living = tuple(j for j in self._living if j != i)
+                restarts = self._strategy.restarts
+                break
+        else:
+            restarts = 0
+        turns = situation.turns.copy()
+        replan(
+            situation.team.as_rows(),
+            len(turns),
+            pursuit_of(situation.disk),
+            self._noise,
+            restarts,
+            DEFAULT_TOLERANCE,
+            MOST_STEPS,
+            turns,
+            self._columns,
+            self._scratch,
+        )
+        return turns
+
+    def _begin(self, situation: Situation) -> Floats:
+        n = len(situation.team)
+        first = plan(situation.team, situation.disk, seed=self._seed, starts=self._strategy.starts)
+        self._living = situation.evaders
+        self._columns = columns_of(first)
+        self._noise = start_noise(self._seed, self._strategy.restarts, n)
+        self._scratch = search_scratch(len(self._noise) + 2, n)
+        return np.array(first.turns)

@@ -1,0 +1,31 @@
+"""The one set of rules, the loop that plays a game, and the record of what happened."""
+
+from covey.simulation.loop import play
+from covey.simulation.record import Game, GameStatus
+from covey.simulation.settings import Settings
+from covey.simulation.storage import load_game, save_game
+from covey.simulation.strategy import (
+    Chase,
+    Fly,
+    PursuerPolicy,
+    PursuerStrategy,
+    Situation,
+    TeamPolicy,
+    TeamStrategy,
+)
+
+__all__ = [
+    "Chase",
+    "Fly",
+    "Game",
+    "GameStatus",
+    "PursuerPolicy",
+    "PursuerStrategy",
+    "Settings",
+    "Situation",
+    "TeamPolicy",
+    "TeamStrategy",
+    "load_game",
+    "play",
+    "save_game",
+]

@@ -1,0 +1,80 @@
+"""From the pages that the kernels wrote to the record of a game."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from covey.kernels.game import Pages
+from covey.model import PursuerDisk, Team
+from covey.model.checks import Floats, Ints
+from covey.simulation.record import Game, GameStatus
+from covey.simulation.settings import Settings
+
+
+def assemble(
+    team: Team,
+    disk: PursuerDisk,
+    settings: Settings,
+    strategies: Mapping[str, Mapping[str, Any]],
+    order: Ints,
+    times: Floats,
+    pages: Pages,
+) -> Game:
+    """Return the record; `order` and `times` hold the captures, `pages` just the written rows."""
+    done = len(order) == len(team)
+    hidden = settings.sensing == "hidden"
+    pursuer = pages.pursuers[:, :2]
+    if hidden:
+        pursuer = _explaining_flight(disk, order, times, pages)
+    return Game(
+        team=team,
+        disk=disk,
+        sensing=settings.sensing,
+        update_time=settings.update_time,
+        seed=settings.seed,
+        strategies=strategies,
+        status=GameStatus.ALL_CAPTURED if done else GameStatus.TIME_LIMIT,
+        guarantee=float(pages.guarantees[0]),
+        survival_time=float(times[-1]) if done else math.inf,
+        capture_sequence=order,
+        capture_times=times,
+        times=pages.times,
+        evader_positions=pages.evaders[:, :, :2],
+        evader_headings=pages.evaders[:, :, 2],
+        evader_turns=pages.evaders[:, :, 3],
+        guarantees=pages.guarantees,
+        critical_sequences=pages.critical,
+        pursuer_sequences=pages.intended,
+        pursuer_positions=pursuer,
+        disk_centers=pages.pursuers[:, 2:4],
+        disk_radii=pages.pursuers[:, 4],
+    )
+
+
+def _explaining_flight(disk: PursuerDisk, order: Ints, times: Floats, pages: Pages) -> Floats:
+    """Straight flights, one to each capture, from where in the disk it was nearest.
+
+    With a capture radius ρ the flight may start anew up to 2ρ from where the last one ended: that
+    is the freedom which the guarantee allows the pursuer.
+    """
+    places = np.empty((len(pages.times), 2))
+    center, radius, since, row = disk.center, disk.radius, 0.0, 0
+    for i, time in zip(order, times, strict=True):
+        last = int(np.searchsorted(pages.times, time, side="right"))
+        goal = pages.evaders[-1, i, :2]
+        off = goal - center
+        distance = float(np.hypot(*off))
+        towards = off / distance if distance > 0.0 else np.zeros(2)
+        start = center + min(radius, distance) * towards
+        end = center + max(distance - disk.capture_radius, min(radius, distance)) * towards
+        share = np.ones(last - row)
+        if time > since:
+            share = (pages.times[row:last] - since) / (time - since)
+        places[row:last] = start + share[:, None] * (end - start)
+        center, radius, since, row = goal, disk.capture_radius, time, last
+    places[row:] = center
+    return places

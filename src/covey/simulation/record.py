@@ -1,0 +1,87 @@
+"""What happened in a game: the record that is returned, saved, drawn and studied."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+from covey.model import PursuerDisk, Team
+from covey.model.checks import Floats, Ints
+
+
+class GameStatus(StrEnum):
+    """How a game ended."""
+
+    ALL_CAPTURED = "every evader was captured"
+    TIME_LIMIT = "stopped at the time limit with evaders alive; raise time_limit to play on"
+
+
+@dataclass(frozen=True, eq=False)
+class Game:
+    """One game, from time 0 to the last capture.
+
+    T rows: one at every update and one at every capture, each with the state just after it and the
+    plan that is flown from there on. Evaders are numbered from 0; a captured one stays where it was
+    captured. Lengths, times and radians as in the team and the disk.
+
+    Attributes
+    ----------
+    team, disk : Team, PursuerDisk
+        The state at time 0.
+    sensing : str
+        "visible": the team sees the pursuer at every update. "hidden": it knows only the disk, which
+        grows at the pursuer's speed and collapses at a capture.
+    update_time : float
+        Δt between updates; a capture brings one at once.
+    seed : int
+        Seed of the searches for plans.
+    strategies : mapping
+        "evaders" and "pursuer": name and parameters of each, as a scenario file gives them.
+    status : GameStatus
+    guarantee : float
+        Survival time that the first plan guaranteed.
+    survival_time : float
+        Time of the last capture; inf if the game was stopped before it.
+    capture_sequence, capture_times : numpy.ndarray
+        (C,) evaders in the order of their capture, and when; C = N unless the game was stopped.
+    times : numpy.ndarray
+        (T,), not decreasing.
+    evader_positions, evader_headings : numpy.ndarray
+        (T, N, 2) and (T, N).
+    evader_turns : numpy.ndarray
+        (T, N) signed turns that are still planned; 0 for captured evaders.
+    guarantees : numpy.ndarray
+        (T,) guaranteed survival time, from then on, of the plan that is flown.
+    critical_sequences, pursuer_sequences : numpy.ndarray
+        (T, N) the order in which the plan flown would be captured earliest, and the order that the
+        pursuer has in mind, as far as its strategy tells; filled up with -1.
+    pursuer_positions : numpy.ndarray
+        (T, 2). Against a hidden pursuer, which the rules know as a disk only, a straight flight
+        that explains each capture.
+    disk_centers, disk_radii : numpy.ndarray
+        (T, 2) and (T,): where the pursuer can be, for all that the team knows.
+    """
+
+    team: Team
+    disk: PursuerDisk
+    sensing: str
+    update_time: float
+    seed: int
+    strategies: Mapping[str, Mapping[str, Any]]
+    status: GameStatus
+    guarantee: float
+    survival_time: float
+    capture_sequence: Ints
+    capture_times: Floats
+    times: Floats
+    evader_positions: Floats
+    evader_headings: Floats
+    evader_turns: Floats
+    guarantees: Floats
+    critical_sequences: Ints
+    pursuer_sequences: Ints
+    pursuer_positions: Floats
+    disk_centers: Floats
+    disk_radii: Floats

@@ -1,0 +1,63 @@
+"""How a game is played: sensing, time between updates, seed, time limit; checked once."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from covey.kernels.rules import Rules, State, initial_state
+from covey.model import PursuerDisk, Team
+from covey.model.checks import choice, number, whole_number
+
+SENSING = ("hidden", "visible")
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How a game is played.
+
+    Parameters
+    ----------
+    sensing
+        "hidden" or "visible".
+    update_time
+        Δt > 0.
+    seed
+        Whole number >= 0.
+    time_limit
+        A game is stopped then; inf: never.
+
+    Raises
+    ------
+    InputError
+        If one of them can't be used.
+    """
+
+    sensing: str
+    update_time: float
+    seed: int
+    time_limit: float = math.inf
+
+    def __post_init__(self) -> None:
+        """Check every field."""
+        choice("sensing", self.sensing, SENSING)
+        number("update_time", self.update_time, low=0.0, strictly=True)
+        whole_number("seed", self.seed, low=0)
+        if self.time_limit != math.inf:
+            number("time_limit", self.time_limit, low=0.0, strictly=True)
+
+    def rules(self, disk: PursuerDisk) -> Rules:
+        """Return the rules as the kernels see them."""
+        return Rules(
+            disk.speed,
+            disk.capture_radius,
+            self.sensing == "hidden",
+            float(self.update_time),
+            float(self.time_limit),
+        )
+
+
+def first_state(team: Team, disk: PursuerDisk) -> State:
+    """Return the state of a game at time 0."""
+    x, y = disk.center.tolist()
+    return initial_state(team.as_rows(), x, y, disk.radius)

@@ -1,0 +1,255 @@
+"""A game's record as one Parquet file, without loss.
+
+A row of the record is a row of the table; what belongs to the whole game (team, disk, strategies,
+captures) is JSON in the table's metadata, under the key "covey".
+
+Every column holds one number a row: `time`, `disk_x`, `evader_0_x`, `critical_sequence_0`, ...
+Columns of lists would be fewer, but pandas makes Python objects of them, DuckDB and polars need
+their list functions for them, and none of the three can plot or filter them by name.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import secrets
+import zlib
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from dataclasses import fields
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+
+from covey.model import InputError, PursuerDisk, Team
+from covey.simulation.record import Game, GameStatus
+
+FORMAT = 1
+"""Number of this layout; a reader refuses a higher one, as it can't know what changed."""
+
+_KEY = b"covey"
+_CHECKSUM_KEY = b"covey_crc32"
+_PARQUET_BEGINS = b"PAR1"
+
+
+def save_game(game: Game, path: str | os.PathLike[str]) -> None:
+    """Save the record of a game as one Parquet file.
+
+    The file is written whole or not at all, and replaces one of the same name. Missing folders are
+    made.
+
+    Parameters
+    ----------
+    game
+        What `simulate` returned.
+    path
+        Where to, `game.parquet` for example.
+
+    Raises
+    ------
+    OSError
+        If the file can't be written; its `strerror` says why.
+
+    Examples
+    --------
+    The columns are for any reader of Parquet files:
+
+    >>> import pandas                                                    # doctest: +SKIP
+    >>> pandas.read_parquet("game.parquet").plot("evader_0_x", "evader_0_y")  # doctest: +SKIP
+    """
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    columns: dict[str, Any] = {}
+    for field, names in _columns(len(game.team)).items():
+        array = getattr(game, field)
+        flat = array.reshape(len(game.times), len(names))
+        columns |= {name: pa.array(flat[:, k]) for k, name in enumerate(names)}
+    header = _header(game)
+    table = pa.table(columns)
+    notes = {_KEY: header, _CHECKSUM_KEY: _checksum(header, table)}
+    with whole_file(path) as file:
+        # Neighbouring floats share their high bytes, which a split by byte lays side by side.
+        pq.write_table(
+            table.replace_schema_metadata(notes),
+            file,
+            compression="zstd",
+            use_dictionary=False,
+            use_byte_stream_split=True,
+        )
+
+
+def load_game(path: str | os.PathLike[str]) -> Game:
+    """Load the record of a game that `save_game` wrote.
+
+    Parameters
+    ----------
+    path
+        The file.
+
+    Returns
+    -------
+    Game
+        Equal to the saved one to the last bit.
+
+    Raises
+    ------
+    InputError
+        If there is no such file, it isn't a record of a game, is damaged, or comes from a newer
+        version of covey.
+    """
+    place = Path(path)
+    try:
+        content = place.read_bytes()
+    except OSError as error:
+        raise InputError(f"{place}: can't be read: {error.strerror}") from error
+    if not content.startswith(_PARQUET_BEGINS):
+        raise InputError(f"{place}: expected the record of a game, got a file that isn't Parquet")
+    try:
+        return _game(*_read(content))
+    except _NotARecordError as error:
+        raise InputError(f"{place}: {error}") from None
+    except Exception as error:  # whatever a damaged file makes of its readers
+        raise InputError(f"{place}: the record is damaged or cut off; simulate anew") from error
+
+
+@contextmanager
+def whole_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
+    """Open a file for writing that appears under its name when it is complete, or never."""
+    place = Path(path)
+    part = place.with_name(f".{place.name}.{secrets.token_hex(4)}.part")
+    try:
+        place.parent.mkdir(parents=True, exist_ok=True)
+        with part.open("xb") as file:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())  # or a power cut could leave the name without the content
+        part.replace(place)
+    except OSError as error:
+        # The name that the caller knows, not that of the part.
+        reason = error.strerror or str(error)
+        raise OSError(error.errno, f"can't be written: {reason}", str(place)) from error
+    finally:
+        with suppress(OSError):  # the part became the file, or was never made
+            part.unlink()
+
+
+class _NotARecordError(Exception):
+    """A sound Parquet file that isn't a record, or isn't one for this version."""
+
+
+def _columns(count: int) -> dict[str, list[str]]:
+    """Names of the columns that hold each array of a record, in the order of its last axes."""
+    team = range(count)
+    return {
+        "times": ["time"],
+        "guarantees": ["guarantee"],
+        "disk_centers": ["disk_x", "disk_y"],
+        "disk_radii": ["disk_radius"],
+        "pursuer_positions": ["pursuer_x", "pursuer_y"],
+        "evader_positions": [f"evader_{i}_{axis}" for i in team for axis in "xy"],
+        "evader_headings": [f"evader_{i}_heading" for i in team],
+        "evader_turns": [f"evader_{i}_turn" for i in team],
+        "critical_sequences": [f"critical_sequence_{k}" for k in team],
+        "pursuer_sequences": [f"pursuer_sequence_{k}" for k in team],
+    }
+
+
+def _header(game: Game) -> bytes:
+    header = {
+        "format": FORMAT,
+        "version": version("covey"),
+        "team": {field.name: getattr(game.team, field.name) for field in fields(Team)},
+        "disk": {field.name: getattr(game.disk, field.name) for field in fields(PursuerDisk)},
+        "sensing": game.sensing,
+        "update_time": game.update_time,
+        "seed": game.seed,
+        "strategies": game.strategies,
+        "status": game.status.name,
+        "guarantee": game.guarantee,
+        "survival_time": game.survival_time,
+        "capture_sequence": game.capture_sequence,
+        "capture_times": game.capture_times,
+    }
+    return json.dumps(_plain(header), allow_nan=False).encode()
+
+
+def _checksum(header: bytes, table: Any) -> bytes:
+    """Cover every number of the record: Parquet's own checksums leave out the metadata."""
+    result = zlib.crc32(header)
+    for name in table.column_names:
+        result = zlib.crc32(name.encode() + table.column(name).to_numpy().tobytes(), result)
+    return str(result).encode()
+
+
+def _read(content: bytes) -> tuple[dict[str, Any], Any]:
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    table = pq.read_table(pa.BufferReader(content), use_threads=False)
+    notes = table.schema.metadata or {}
+    if _KEY not in notes:
+        raise _NotARecordError(
+            "expected the record of a game, got a Parquet file of something else"
+        )
+    header = json.loads(notes[_KEY], object_hook=_number)
+    if header["format"] > FORMAT:
+        raise _NotARecordError(
+            f"written by covey {header['version']} in record format {header['format']}, and this "
+            f"covey {version('covey')} reads up to format {FORMAT}; use a newer covey"
+        )
+    if notes[_CHECKSUM_KEY] != _checksum(notes[_KEY], table):
+        raise ValueError("checksum")
+    return header, table
+
+
+def _game(header: Mapping[str, Any], table: Any) -> Game:
+    team = Team(**header["team"])
+    arrays = {}
+    for field, names in _columns(len(team)).items():
+        flat = np.column_stack([table.column(name).to_numpy() for name in names])
+        arrays[field] = flat
+    for field in ("times", "guarantees", "disk_radii"):
+        arrays[field] = arrays[field][:, 0]
+    arrays["evader_positions"] = arrays["evader_positions"].reshape(-1, len(team), 2)
+    return Game(
+        team=team,
+        disk=PursuerDisk(**header["disk"]),
+        sensing=header["sensing"],
+        update_time=header["update_time"],
+        seed=header["seed"],
+        strategies=header["strategies"],
+        status=GameStatus[header["status"]],
+        guarantee=header["guarantee"],
+        survival_time=header["survival_time"],
+        capture_sequence=np.array(header["capture_sequence"], dtype=np.int64),
+        capture_times=np.array(header["capture_times"], dtype=np.float64),
+        **arrays,
+    )
+
+
+def _plain(value: object) -> object:
+    """Turn `value` into what JSON can say.
+
+    A float that isn't finite becomes {"float": "inf"}: bare `Infinity` is no JSON, and other
+    readers than Python's refuse it.
+    """
+    if isinstance(value, np.ndarray | np.generic):
+        value = value.tolist()
+    if isinstance(value, float) and not math.isfinite(value):
+        return {"float": str(value)}
+    if isinstance(value, Mapping):
+        return {str(key): _plain(part) for key, part in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(part) for part in value]
+    if value is None or isinstance(value, str | int | float):
+        return value
+    # A parameter of somebody's own strategy. A game isn't lost for want of a format for it.
+    return repr(value)
+
+
+def _number(table: dict[str, Any]) -> object:
+    return float(table["float"]) if table.keys() == {"float"} else table

@@ -1,0 +1,103 @@
+"""What a strategy is: the small protocol behind which every player stands.
+
+A strategy is a value. At the start of a game it is asked, with `start(seed)`, for the policy of
+that game: a function that is called at every decision. A plain function is a strategy too, if it
+needs no memory.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, Protocol, runtime_checkable
+
+import numpy.typing as npt
+
+from covey.model import PursuerDisk, Team
+from covey.model.checks import Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Situation:
+    """What a player knows when it decides.
+
+    Attributes
+    ----------
+    time : float
+        Time since the start of the game.
+    evaders : tuple of int
+        Numbers of the n evaders alive; all arrays here are in this order.
+    team : Team
+        The living, as they are now.
+    disk : PursuerDisk
+        Where the pursuer can be, for all that the team knows. A visible pursuer is at the centre
+        of a disk of radius 0; at time 0 the radius may be larger.
+    turns : numpy.ndarray
+        (n,) signed turns still to be flown of the plan announced last. For the team, it is the one
+        flown until now; for the pursuer, the one just announced.
+    """
+
+    time: float
+    evaders: tuple[int, ...]
+    team: Team
+    disk: PursuerDisk
+    turns: Floats
+
+
+@dataclass(frozen=True)
+class Chase:
+    """The pursuer makes for the evaders in this order; until the next decision, for the first.
+
+    Attributes
+    ----------
+    sequence : tuple of int
+        Numbers of living evaders. The first is flown to; the others are for the record.
+    """
+
+    sequence: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Fly:
+    """A visible pursuer flies this velocity; a hidden one, which has no place, can only wait.
+
+    Attributes
+    ----------
+    velocity : tuple of float
+        (2,), not faster than the pursuer's speed. Default: it waits.
+    """
+
+    velocity: tuple[float, float] = (0.0, 0.0)
+
+
+TeamPolicy = Callable[[Situation], npt.ArrayLike]
+"""Returns (n,) signed turns in [-π, π] of the living."""
+
+PursuerPolicy = Callable[[Situation], Chase | Fly]
+
+
+@runtime_checkable
+class TeamStrategy(Protocol):
+    """A strategy of the evaders."""
+
+    def start(self, seed: int) -> TeamPolicy:
+        """Return the policy of one game."""
+        ...
+
+
+@runtime_checkable
+class PursuerStrategy(Protocol):
+    """A strategy of the pursuer."""
+
+    def start(self, seed: int) -> PursuerPolicy:
+        """Return the policy of one game."""
+        ...
+
+
+def description(strategy: object) -> Mapping[str, Any]:
+    """Return name and parameters of a strategy, for the record."""
+    describe = getattr(strategy, "describe", None)
+    if describe is not None:
+        described: Mapping[str, Any] = describe()
+        return described
+    return {"name": getattr(strategy, "__name__", type(strategy).__name__)}
