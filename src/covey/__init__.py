@@ -65,13 +65,13 @@ _ROOMS = {
 }
 _HOME = {name: room for room, names in _ROOMS.items() for name in names}
 
-__all__ = sorted(_HOME)  # noqa: PLE0605 sorted() gives a list
+__all__ = sorted(_HOME)
 
 
 def __getattr__(name: str) -> object:
     """Import a public name from its room when it is first asked for."""
     if name == "__version__":
-        from importlib.metadata import version  # noqa: PLC0415 it costs more than all the rest
+        from importlib.metadata import version  # it costs more than all the rest
 
         return version("covey")
     if name not in _HOME:

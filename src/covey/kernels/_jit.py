@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
 import numba
+from numba.core import event
 
 Function = TypeVar("Function", bound=Callable[..., object])
 
@@ -49,6 +51,26 @@ def allocating(function: Function) -> Function:
     return decorated
 
 
+class _Announcer(event.Listener):  # type: ignore[misc] # numba's types are skipped
+    """Says, once, that kernels are being compiled; numba calls it only when none is on disk."""
+
+    def __init__(self) -> None:
+        self._said = False
+
+    def on_start(self, event: event.Event) -> None:
+        function = event.data["dispatcher"].py_func
+        if not self._said and function.__module__.startswith("covey.kernels"):
+            self._said = True
+            print(
+                "covey: compiling its kernels, which takes up to a minute and happens only once",
+                file=sys.stderr,
+                flush=True,
+            )
+
+    def on_end(self, event: event.Event) -> None:
+        """Nothing to say: the answer that was waited for follows."""
+
+
 def _forget_stale_cache() -> None:
     """Remove compiled kernels that are older than any source of this room.
 
@@ -66,3 +88,4 @@ def _forget_stale_cache() -> None:
 
 
 _forget_stale_cache()
+event.register("numba:compile", _Announcer())

@@ -23,7 +23,7 @@ from covey.kernels.quadratic import (
 )
 from covey.kernels.sequence import CAPTURE, add_curvature, capture_times, differentiate
 from covey.kernels.subsets import least_time
-from covey.kernels.types import Floats, Ints, Table, Pursuit
+from covey.kernels.types import Floats, Ints, Pursuit, Table
 
 CONVERGED, STALLED, STEPS_USED_UP = range(3)
 

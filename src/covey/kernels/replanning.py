@@ -12,7 +12,6 @@ from covey.kernels._jit import compiled
 from covey.kernels.ascent import AscentScratch, Columns, ascend
 from covey.kernels.search import (
     SearchScratch,
-    clearly_better,
     follow_best_start,
     lay_out_starts,
 )
@@ -47,17 +46,17 @@ def replan(
     if followed > 0:
         count = lay_out_starts(evaders, n, pursuit, noise, False, turns, scratch)
         for _ in range(min(followed, count)):
-            other, _, _ = follow_best_start(
+            improved, other, _, _ = follow_best_start(
                 evaders, n, pursuit, count, value, tolerance, most_steps, turns, columns, scratch
             )
-            if clearly_better(other, value):
+            if improved:
                 value = other
     return value
 
 
 @compiled
 def forget_captured(columns: Columns, n: int, row: int) -> None:
-    """Take the captured evader out of the columns of n evaders, and drop columns that fall together."""
+    """Take a captured evader out of the columns of n; columns that fall together become one."""
     kept = 0
     for s in range(columns.used[0]):
         k = 0

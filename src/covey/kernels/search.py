@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels._jit import allocating, compiled, inlined
+from covey.kernels._jit import allocating, compiled
 from covey.kernels.ascent import AscentScratch, Columns, Tally, ascend, ascent_scratch, make_columns
 from covey.kernels.path import HEADING, X, Y, set_paths, wrapped
 from covey.kernels.subsets import least_time
@@ -81,11 +81,12 @@ def follow_best_start(
     turns: Floats,
     columns: Columns,
     scratch: SearchScratch,
-) -> tuple[float, int, Tally]:
-    """Ascend from the best of `count` starts that is left; return as `ascend` does.
+) -> tuple[bool, float, int, Tally]:
+    """Ascend from the best of `count` starts that is left.
 
-    Where the value is clearly above `best`, its turns and columns are written to `turns` and
-    `columns`.
+    Returns whether the value is clearly above `best` (-inf: none yet), and what `ascend` does; if
+    it is, its turns and columns are written to `turns` and `columns`. Among equals the first one
+    wins, so that a team doesn't change its mind for nothing.
     """
     starts, worths = scratch.starts, scratch.worths
     chosen = 0
@@ -106,20 +107,12 @@ def follow_best_start(
         most_steps,
         scratch.ascent,
     )
-    if clearly_better(value, best):
+    improved = value > best + 1e-10 * abs(best) or best == -math.inf
+    if improved:
         for i in range(n):
             turns[i] = scratch.turns[i]
         copy_columns(scratch.columns, n, columns)
-    return value, ended, tally
-
-
-@inlined
-def clearly_better(value: float, best: float) -> bool:
-    """Whether a plan of `value` takes the place of one of `best` (-inf: none yet).
-
-    Among equals the first wins, so that a team doesn't change its mind for nothing.
-    """
-    return value > best + 1e-10 * abs(best) or best == -math.inf
+    return improved, value, ended, tally
 
 
 @compiled

@@ -20,7 +20,7 @@ from covey.kernels.path import (
     position,
     velocity,
 )
-from covey.kernels.types import Floats, Ints, Table, Pursuit
+from covey.kernels.types import Floats, Ints, Pursuit, Table
 
 
 @compiled

@@ -12,7 +12,7 @@ import math
 from covey.kernels._jit import compiled, inlined
 from covey.kernels.interception import earliest_capture
 from covey.kernels.path import position
-from covey.kernels.types import Floats, Ints, Table, Pursuit
+from covey.kernels.types import Floats, Ints, Pursuit, Table
 
 MOST_EVADERS = 18
 """Largest team the exact minimum serves: its labels fill 8 * N * 2**N bytes, 38 MB for N = 18."""

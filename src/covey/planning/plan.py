@@ -12,7 +12,6 @@ import numpy.typing as npt
 
 from covey.kernels.ascent import CONVERGED, STALLED, STEPS_USED_UP, Columns, make_columns
 from covey.kernels.search import (
-    clearly_better,
     follow_best_start,
     lay_out_starts,
     search_scratch,
@@ -148,11 +147,11 @@ def plan(
     best, status = -math.inf, PlanStatus.CONVERGED
     tallies = []
     for _ in range(min(followed, count)):
-        value, ended, tally = follow_best_start(
+        improved, value, ended, tally = follow_best_start(
             evaders, n, pursuit, count, best, tolerance, MOST_STEPS, turns, columns, scratch
         )
         tallies.append(tally)
-        if clearly_better(value, best):
+        if improved:
             best, status = value, _STATUS[ended]
         if time.perf_counter() > deadline:
             status = PlanStatus.TIME_LIMIT

@@ -32,8 +32,8 @@ def simulate(
     team: Team,
     disk: PursuerDisk,
     *,
-    evaders: TeamStrategy | TeamPolicy = IterativeOpenLoop(),
-    pursuer: PursuerStrategy | PursuerPolicy = CommittedPursuer(),
+    evaders: TeamStrategy | TeamPolicy = IterativeOpenLoop(),  # noqa: B008 frozen
+    pursuer: PursuerStrategy | PursuerPolicy = CommittedPursuer(),  # noqa: B008 frozen
     sensing: str = "hidden",
     update_time: float = 0.01,
     seed: int = 0,
@@ -105,8 +105,8 @@ def _play_compiled(
         search_scratch(len(noise) + 2, n),
     )
     strategies: dict[str, Any] = {"evaders": evaders.describe(), "pursuer": pursuer.describe()}
-    written = game.Pages(*(rows[:count] for rows in pages))
-    return assemble(team, disk, settings, strategies, order[:captured], times[:captured], written)
+    captures = order[:captured], times[:captured]
+    return assemble(team, disk, settings, strategies, *captures, pages, count)
 
 
 def _longest_game(team: Team, disk: PursuerDisk) -> float:

@@ -23,8 +23,17 @@ def assemble(
     order: Ints,
     times: Floats,
     pages: Pages,
+    count: int,
 ) -> Game:
-    """Return the record; `order` and `times` hold the captures, `pages` just the written rows."""
+    """Return the record; `order` and `times` hold the captures, `pages` `count` rows."""
+    pages = Pages(
+        pages.times[:count],
+        pages.guarantees[:count],
+        pages.evaders[:count],
+        pages.pursuers[:count],
+        pages.critical[:count],
+        pages.intended[:count],
+    )
     done = len(order) == len(team)
     hidden = settings.sensing == "hidden"
     pursuer = pages.pursuers[:, :2]

@@ -74,7 +74,8 @@ def play(
         {"evaders": description(evaders), "pursuer": description(pursuer)},
         np.array(order, dtype=np.int64),
         np.array(times),
-        type(pages)(*(rows[: page + 1] for rows in pages)),
+        pages,
+        page + 1,
     )
 
 

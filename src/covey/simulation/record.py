@@ -31,8 +31,8 @@ class Game:
     team, disk : Team, PursuerDisk
         The state at time 0.
     sensing : str
-        "visible": the team sees the pursuer at every update. "hidden": it knows only the disk, which
-        grows at the pursuer's speed and collapses at a capture.
+        "visible": the team sees the pursuer at every update. "hidden": it knows only the disk,
+        which grows at the pursuer's speed and collapses at a capture.
     update_time : float
         Δt between updates; a capture brings one at once.
     seed : int
