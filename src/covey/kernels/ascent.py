@@ -14,10 +14,10 @@ from typing import NamedTuple
 import numpy as np
 
 from covey.kernels._jit import allocating, compiled
+from covey.kernels.definite import factorise, make_positive
 from covey.kernels.path import PATH, set_paths
 from covey.kernels.quadratic import (
     QuadraticScratch,
-    factorise,
     quadratic_scratch,
     solve_quadratic,
 )
@@ -28,7 +28,8 @@ from covey.kernels.types import Floats, Ints, Pursuit, Table
 CONVERGED, STALLED, STEPS_USED_UP = range(3)
 
 _LEAST_BOX = 1e-9
-_PENALTY = 100.0
+_PENALTY = 20.0  # of the curvature, across the active columns
+_DISAPPOINTING = 0.6  # share of the promise below which a step is corrected
 
 
 class Columns(NamedTuple):
@@ -45,13 +46,17 @@ class AscentScratch(NamedTuple):
     paths: Table  # (n, PATH)
     trial_paths: Table  # (n, PATH)
     turns: Floats  # (n,) of the trial
+    first_turns: Floats  # (n,) of the trial before its correction
     times: Floats  # (m, n) capture times of each column
     trial_times: Floats  # (m, n)
     gradients: Floats  # (m, n)
     captures: Floats  # (n, CAPTURE)
     slopes: Floats  # (3, n)
     curvature: Floats  # (n, n)
+    shaped: Floats  # (n, n) curvature made fit for the quadratic programme
     factor: Floats  # (n, n)
+    vectors: Floats  # (n, n)
+    sizes: Floats  # (n,)
     pull: Floats  # (n,)
     low: Floats  # (n,)
     high: Floats  # (n,)
@@ -93,6 +98,7 @@ def ascent_scratch(n: int) -> AscentScratch:
         np.empty((n, PATH)),
         np.empty((n, PATH)),
         np.empty(n),
+        np.empty(n),
         np.empty((m, n)),
         np.empty((m, n)),
         np.empty((m, n)),
@@ -100,6 +106,9 @@ def ascent_scratch(n: int) -> AscentScratch:
         np.empty((3, n)),
         np.empty((n, n)),
         np.empty((n, n)),
+        np.empty((n, n)),
+        np.empty((n, n)),
+        np.empty(n),
         np.empty(n),
         np.empty(n),
         np.empty(n),
@@ -133,18 +142,14 @@ def ascend(
     paths, trial_paths = scratch.paths, scratch.trial_paths
     times, trial_times = scratch.times, scratch.trial_times
     set_paths(evaders, turns, pursuit.speed, paths)
-    value, joined, interceptions = _exact_value(paths, n, pursuit, columns, times, scratch)
-    if joined >= 0:
-        capture_times(paths, pursuit, columns.sequences[joined, :n], times[joined])
+    value, _, interceptions = _exact_value(paths, n, pursuit, columns, times, scratch)
     programmes, steps, ended = 1, 0, STEPS_USED_UP
-    straightened = current = (
-        False  # current: whether gradients and curvature belong to the present turns
-    )
+    straightened = False
+    moved = True  # gradients and curvature belong to other turns
     while steps < most_steps:
-        if not current:
+        if moved:
             _linearise(paths, n, pursuit, columns, times, scratch)
             straightened = _shape(n, columns, times, True, scratch)
-            current = True
         promise = _best_step(turns, n, columns, times, box, scratch)
         if straightened and promise - value <= tolerance * value:
             straightened = _shape(n, columns, times, False, scratch)
@@ -153,28 +158,44 @@ def ascend(
             ended = CONVERGED
             break
         steps += 1
-        longest = 0.0
-        for i in range(n):
-            scratch.turns[i] = min(max(turns[i] + scratch.step[i], -math.pi), math.pi)
-            longest = max(longest, abs(scratch.step[i]))
-        set_paths(evaders, scratch.turns, pursuit.speed, trial_paths)
-        trial, joined, cost = _exact_value(trial_paths, n, pursuit, columns, trial_times, scratch)
+        trial, joined, cost = _try_step(
+            evaders, n, pursuit, turns, columns, trial_paths, trial_times, scratch
+        )
         programmes += 1
         interceptions += cost
+        if joined >= 0:
+            _linearise_one(paths, n, pursuit, columns, joined, times, scratch)
+        # A gain with a new column is taken as it is: the next step will know the column.
+        disappointing = trial - value < _DISAPPOINTING * (promise - value)
+        if disappointing and (joined < 0 or trial < value):
+            for i in range(n):
+                scratch.first_turns[i] = scratch.turns[i]
+            _corrected_step(turns, n, columns, trial_times, box, scratch)
+            second, joined, cost = _try_step(
+                evaders, n, pursuit, turns, columns, trial_paths, trial_times, scratch
+            )
+            programmes += 1
+            interceptions += cost
+            if joined >= 0:
+                _linearise_one(paths, n, pursuit, columns, joined, times, scratch)
+            if second > trial:
+                trial = second
+            else:
+                for i in range(n):
+                    scratch.turns[i] = scratch.first_turns[i]
+                set_paths(evaders, scratch.turns[:n], pursuit.speed, trial_paths)
+                _column_times(trial_paths, n, pursuit, columns, trial_times)
         gained = (trial - value) / (promise - value)
-        if gained > 0.0:
+        longest = 0.0
+        for i in range(n):
+            longest = max(longest, abs(scratch.turns[i] - turns[i]))
+        moved = gained > 0.0
+        if moved:
             value = trial
             for i in range(n):
                 turns[i] = scratch.turns[i]
             paths, trial_paths = trial_paths, paths
             times, trial_times = trial_times, times
-            current = False
-        if joined >= 0:
-            sequence = columns.sequences[joined, :n]
-            capture_times(paths, pursuit, sequence, times[joined])
-            differentiate(
-                paths, pursuit, sequence, times[joined], scratch.captures, scratch.gradients[joined]
-            )
         if gained < 0.25:
             box = (0.5 if gained > -1.0 else 0.25) * longest
         elif gained > 0.7:
@@ -186,16 +207,41 @@ def ascend(
 
 
 @compiled
+def _try_step(
+    evaders: Table,
+    n: int,
+    pursuit: Pursuit,
+    turns: Floats,
+    columns: Columns,
+    paths: Table,
+    times: Table,
+    scratch: AscentScratch,
+) -> tuple[float, int, int]:
+    """Evaluate `turns` moved by the step, as `_exact_value` does; leaves them in `scratch`."""
+    for i in range(n):
+        scratch.turns[i] = min(max(turns[i] + scratch.step[i], -math.pi), math.pi)
+    set_paths(evaders, scratch.turns[:n], pursuit.speed, paths)
+    return _exact_value(paths, n, pursuit, columns, times, scratch)
+
+
+@compiled
+def _column_times(paths: Table, n: int, pursuit: Pursuit, columns: Columns, times: Table) -> float:
+    """Write the capture times of all columns; return the least of their last ones."""
+    value = math.inf
+    for s in range(columns.used[0]):
+        value = min(value, capture_times(paths, pursuit, columns.sequences[s, :n], times[s]))
+    return value
+
+
+@compiled
 def _exact_value(
     paths: Table, n: int, pursuit: Pursuit, columns: Columns, times: Floats, scratch: AscentScratch
 ) -> tuple[float, int, int]:
     """The exact minimum over all sequences, the column that joined for it (or -1), the cost.
 
-    Writes the capture times of the columns that were there.
+    Writes the capture times of all columns.
     """
-    value = math.inf
-    for s in range(columns.used[0]):
-        value = min(value, capture_times(paths, pursuit, columns.sequences[s, :n], times[s]))
+    value = _column_times(paths, n, pursuit, columns, times)
     least, interceptions = least_time(
         paths,
         n,
@@ -209,6 +255,7 @@ def _exact_value(
     joined = -1
     if least < value:
         joined = _join(columns, n, scratch.found, times)
+        capture_times(paths, pursuit, columns.sequences[joined, :n], times[joined])
     return least, joined, interceptions
 
 
@@ -263,6 +310,22 @@ def _linearise(
 
 
 @compiled
+def _linearise_one(
+    paths: Table,
+    n: int,
+    pursuit: Pursuit,
+    columns: Columns,
+    s: int,
+    times: Table,
+    scratch: AscentScratch,
+) -> None:
+    """Capture times and gradient, at the present turns, of a column that joined at other ones."""
+    sequence = columns.sequences[s, :n]
+    capture_times(paths, pursuit, sequence, times[s])
+    differentiate(paths, pursuit, sequence, times[s], scratch.captures, scratch.gradients[s])
+
+
+@compiled
 def _shape(
     n: int, columns: Columns, times: Table, straighten: bool, scratch: AscentScratch
 ) -> bool:
@@ -273,31 +336,31 @@ def _shape(
     those columns agree makes it right without moving that point (an augmented Lagrangian), and
     Newton's method stays quadratic. Without it the sign is mended by force, which is slow but safe.
     """
-    curvature, factor, pull = scratch.curvature, scratch.factor, scratch.pull
+    curvature, shaped, pull = scratch.curvature, scratch.shaped, scratch.pull
     for i in range(n):
         pull[i] = 0.0
-        for j in range(i + 1):
-            factor[i, j] = curvature[i, j]
-    if not factorise(factor, n) or not straighten:
+    if factorise(curvature, n, scratch.factor):
         return False
     for i in range(n):
         for j in range(i + 1):
-            factor[i, j] = curvature[i, j]
-    straightened = _penalise(n, columns, times, scratch)
-    factorise(factor, n)
+            shaped[i, j] = curvature[i, j]
+    straightened = straighten and _penalise(n, columns, times, scratch)
+    if not factorise(shaped, n, scratch.factor):
+        make_positive(shaped, n, scratch.vectors, scratch.sizes)
+        factorise(shaped, n, scratch.factor)
     return straightened
 
 
 @compiled
 def _penalise(n: int, columns: Columns, times: Table, scratch: AscentScratch) -> bool:
-    """Add to `factor` and `pull` the penalty on active columns that differ; False if none do."""
-    factor, pull, mean, gradients = scratch.factor, scratch.pull, scratch.step, scratch.gradients
+    """Add to `shaped` and `pull` the penalty on active columns that differ; False if none do."""
+    shaped, pull, mean, gradients = scratch.shaped, scratch.pull, scratch.step, scratch.gradients
     weights, count = columns.weights, columns.used[0]
     value = size = 0.0
     for i in range(n):
         mean[i] = 0.0
         for j in range(i + 1):
-            size = max(size, abs(factor[i, j]))
+            size = max(size, abs(shaped[i, j]))
     for s in range(count):
         value += weights[s] * times[s, n - 1]
         for i in range(n):
@@ -319,7 +382,7 @@ def _penalise(n: int, columns: Columns, times: Table, scratch: AscentScratch) ->
                 off = penalty * (gradients[s, i] - mean[i])
                 pull[i] -= off * (times[s, n - 1] - value)
                 for j in range(i + 1):
-                    factor[i, j] += off * (gradients[s, j] - mean[j])
+                    shaped[i, j] += off * (gradients[s, j] - mean[j])
     return True
 
 
@@ -328,15 +391,36 @@ def _best_step(
     turns: Floats, n: int, columns: Columns, times: Floats, box: float, scratch: AscentScratch
 ) -> float:
     """Write the step that the model thinks best inside the box; return the value it promises."""
+    for s in range(columns.used[0]):
+        scratch.values[s] = times[s, n - 1]
+    return _solve(turns, n, columns, box, scratch)
+
+
+@compiled
+def _corrected_step(
+    turns: Floats, n: int, columns: Columns, tried: Table, box: float, scratch: AscentScratch
+) -> None:
+    """Write a second-order correction of the step: what the model missed, added to its values.
+
+    Each column's own curvature differs from the Lagrangian's, so where several are active the least
+    of them falls short of the promise, however small the step (the Maratos effect).
+    """
+    for s in range(columns.used[0]):
+        scratch.values[s] = tried[s, n - 1]
+        for i in range(n):
+            scratch.values[s] -= scratch.gradients[s, i] * (scratch.turns[i] - turns[i])
+    _solve(turns, n, columns, box, scratch)
+
+
+@compiled
+def _solve(turns: Floats, n: int, columns: Columns, box: float, scratch: AscentScratch) -> float:
+    """Solve the quadratic programme for `scratch.values`, turns kept in the box and in [-π, π]."""
     for i in range(n):
         scratch.low[i] = max(-math.pi - turns[i], -box)
         scratch.high[i] = min(math.pi - turns[i], box)
-    count = columns.used[0]
-    for s in range(count):
-        scratch.values[s] = times[s, n - 1]
     return solve_quadratic(
         n,
-        count,
+        columns.used[0],
         scratch.values,
         scratch.gradients,
         scratch.factor,

@@ -6,19 +6,22 @@ import math
 
 from covey.kernels._jit import compiled, inlined
 from covey.kernels.path import (
+    CHORD,
     CLOSING,
+    HALF_RATE,
     LINE_X,
     LINE_Y,
+    START_HEADING,
     TURN_END,
     VELOCITY_X,
     VELOCITY_Y,
     position,
-    velocity,
 )
 from covey.kernels.types import Table
 
-# The bracket halves at every fourth step at the latest, so these exhaust the doubles.
-_MOST_STEPS = 300
+_ROUNDING = 2e-16
+_MANY_STEPS = 12
+_MOST_STEPS = 300  # of which every second halves the bracket: these exhaust the doubles
 
 
 @inlined
@@ -54,31 +57,43 @@ def _capture_in_turn(
 ) -> float:
     """The root of eq. (7) while the evader turns: Newton's method, kept in a shrinking bracket.
 
-    The slope of g lies between -(v_p + v) and -(v_p - v), so a Newton step is always defined. Where
-    one leaves the bracket, and at every fourth step whatever happens, the bracket is halved.
+    The slope of g lies between -(v_p + v) and -(v_p - v), so a Newton step is always defined; one
+    that leaves the bracket is replaced by its middle, and should steps be many, every second one.
+    Seen from where the evader is at `start`, along and across its heading there, an arc needs one
+    sine and one cosine a step.
     """
-    low, high = start, paths[i, TURN_END]
-    time = low
+    place_x, place_y = position(paths, i, start)
+    heading = paths[i, START_HEADING] + 2.0 * paths[i, HALF_RATE] * start
+    cosine, sine = math.cos(heading), math.sin(heading)
+    along = (place_x - x) * cosine + (place_y - y) * sine
+    across = (place_y - y) * cosine - (place_x - x) * sine
+    half_rate, diameter = paths[i, HALF_RATE], paths[i, CHORD]
+    if half_rate < 0.0:
+        across, half_rate = -across, -half_rate
+    speed = diameter * half_rate
+    low, high = 0.0, paths[i, TURN_END] - start
+    time, away, distance = 0.0, along * speed, math.hypot(along, across)
     for step in range(_MOST_STEPS):
-        place_x, place_y = position(paths, i, time)
-        distance = math.hypot(place_x - x, place_y - y)
-        gap = distance - radius - pursuer_speed * (time - start)
+        gap = distance - radius - pursuer_speed * time
         if gap > 0.0:
             low = time
-        elif gap < 0.0 and time > start:
+        elif gap < 0.0 and time > 0.0:
             high = time
         else:
             break
-        velocity_x, velocity_y = velocity(paths, i, time)
-        away = 0.0
-        if distance > 0.0:
-            away = ((place_x - x) * velocity_x + (place_y - y) * velocity_y) / distance
-        closer = time + gap / (pursuer_speed - away)
-        if closer == time:
+        slope = pursuer_speed - (away / distance if distance > 0.0 else 0.0)
+        closer = time + gap / slope
+        if abs(closer - time) <= _ROUNDING * (start + time):
             break
-        if step % 4 == 3 or not low < closer < high:
+        if not low < closer < high or (step > _MANY_STEPS and step % 2):
             closer = 0.5 * (low + high)
             if closer in (low, high):
                 break
         time = closer
-    return time
+        half_sine, half_cosine = math.sin(half_rate * time), math.cos(half_rate * time)
+        ahead = along + diameter * half_sine * half_cosine
+        aside = across + diameter * half_sine * half_sine
+        distance = math.sqrt(ahead * ahead + aside * aside)
+        turned = half_cosine * half_cosine - half_sine * half_sine
+        away = speed * (ahead * turned + aside * 2.0 * half_sine * half_cosine)
+    return start + time

@@ -47,41 +47,6 @@ def quadratic_scratch(n: int, m: int) -> QuadraticScratch:
 
 
 @compiled
-def factorise(matrix: Floats, n: int) -> bool:
-    """Replace the lower triangle of `matrix` by its Cholesky factor, made positive where it isn't.
-
-    Gill and Murray's modification: a pivot that is negative or too small for its column is raised.
-    Returns whether a pivot was clearly negative, that is, whether there is a direction of positive
-    curvature.
-    """
-    largest_diagonal = largest_other = 0.0
-    for i in range(n):
-        largest_diagonal = max(largest_diagonal, abs(matrix[i, i]))
-        for j in range(i):
-            largest_other = max(largest_other, abs(matrix[i, j]))
-    scale = max(largest_diagonal, largest_other / max(math.sqrt(n * n - 1.0), 1.0), 1e-300)
-    floor = 1e-8 * scale
-    bent = False
-    for j in range(n):
-        pivot = matrix[j, j]
-        for k in range(j):
-            pivot -= matrix[j, k] * matrix[j, k]
-        bent = bent or pivot < -floor
-        largest = 0.0
-        for i in range(j + 1, n):
-            entry = matrix[i, j]
-            for k in range(j):
-                entry -= matrix[i, k] * matrix[j, k]
-            matrix[i, j] = entry
-            largest = max(largest, abs(entry))
-        root = math.sqrt(max(abs(pivot), largest * largest / scale, floor))
-        matrix[j, j] = root
-        for i in range(j + 1, n):
-            matrix[i, j] /= root
-    return bent
-
-
-@compiled
 def solve_quadratic(
     n: int,
     m: int,

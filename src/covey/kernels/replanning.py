@@ -10,11 +10,7 @@ import math
 
 from covey.kernels._jit import compiled
 from covey.kernels.ascent import AscentScratch, Columns, ascend
-from covey.kernels.search import (
-    SearchScratch,
-    follow_best_start,
-    lay_out_starts,
-)
+from covey.kernels.search import SearchScratch, search
 from covey.kernels.sequence import capture_times
 from covey.kernels.subsets import least_time
 from covey.kernels.types import Floats, Ints, Pursuit, Table
@@ -43,14 +39,20 @@ def replan(
     value, _, _ = ascend(
         evaders, pursuit, turns[:n], columns, WARM_BOX, tolerance, most_steps, scratch.ascent
     )
-    if followed > 0:
-        count = lay_out_starts(evaders, n, pursuit, noise, False, turns, scratch)
-        for _ in range(min(followed, count)):
-            improved, other, _, _ = follow_best_start(
-                evaders, n, pursuit, count, value, tolerance, most_steps, turns, columns, scratch
-            )
-            if improved:
-                value = other
+    value, _, _ = search(
+        evaders,
+        n,
+        pursuit,
+        noise,
+        0,
+        followed,
+        value,
+        tolerance,
+        most_steps,
+        turns,
+        columns,
+        scratch,
+    )
     return value
 
 

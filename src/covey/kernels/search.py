@@ -1,4 +1,4 @@
-"""The best of several local maxima: screen many starts, follow the promising ones.
+"""The best of several local maxima: ascents from many starts.
 
 The guaranteed time has many local maxima, more as the team grows, so one ascent is not enough.
 """
@@ -13,133 +13,185 @@ import numpy as np
 from covey.kernels._jit import allocating, compiled
 from covey.kernels.ascent import AscentScratch, Columns, Tally, ascend, ascent_scratch, make_columns
 from covey.kernels.path import HEADING, X, Y, set_paths, wrapped
+from covey.kernels.sequence import capture_times
 from covey.kernels.subsets import least_time
 from covey.kernels.types import Floats, Pursuit, Table
 
 FIRST_BOX = 1.0
 """Largest first change of a turn, radians, in an ascent that starts from nowhere in particular."""
 
+CANDIDATES = 8
+"""Random turns that are evaluated for each start; the ascent begins at the best of them."""
+
 
 class SearchScratch(NamedTuple):
-    """Arrays of a search among up to k starts for up to n evaders."""
+    """Arrays of a search for up to n evaders."""
 
-    starts: Table  # (k, n)
-    worths: Floats  # (k,) values of the starts, -inf once followed
+    candidate: Floats  # (n,)
     turns: Floats  # (n,)
     columns: Columns
     ascent: AscentScratch
 
 
 @allocating
-def search_scratch(k: int, n: int) -> SearchScratch:
+def search_scratch(n: int) -> SearchScratch:
     """Allocate the scratch of a search."""
-    return SearchScratch(
-        np.empty((k, n)), np.empty(k), np.empty(n), make_columns(n), ascent_scratch(n)
-    )
+    return SearchScratch(np.empty(n), np.empty(n), make_columns(n), ascent_scratch(n))
 
 
 @compiled
-def lay_out_starts(
+def search(
     evaders: Table,
     n: int,
     pursuit: Pursuit,
     noise: Table,
-    warm: bool,
-    turns: Floats,
-    scratch: SearchScratch,
-) -> int:
-    """Write and evaluate the starts; return how many there are.
-
-    The `turns` given if `warm`, then flight straight away from the disk's centre, then that flight
-    turned by π times the rows of `noise` (numbers in [-1, 1]). The former come first whatever they
-    are worth.
-    """
-    first = 1 if warm else 0
-    count = first + 1 + len(noise)
-    starts, worths = scratch.starts, scratch.worths
-    for k in range(count):
-        for i in range(n):
-            if k < first:
-                starts[k, i] = turns[i]
-            else:
-                off_x, off_y = evaders[i, X] - pursuit.center_x, evaders[i, Y] - pursuit.center_y
-                swing = math.pi * noise[k - first - 1, i] if k > first else 0.0
-                starts[k, i] = wrapped(math.atan2(off_y, off_x) + swing - evaders[i, HEADING])
-        worths[k] = math.inf if k <= first else _worth(evaders, n, pursuit, starts[k], scratch)
-    return count
-
-
-@compiled
-def follow_best_start(
-    evaders: Table,
-    n: int,
-    pursuit: Pursuit,
-    count: int,
+    first: int,
+    last: int,
     best: float,
     tolerance: float,
     most_steps: int,
     turns: Floats,
     columns: Columns,
     scratch: SearchScratch,
-) -> tuple[bool, float, int, Tally]:
-    """Ascend from the best of `count` starts that is left.
+) -> tuple[float, int, Tally]:
+    """Ascend from the starts numbered `first` to `last` - 1.
 
-    Returns whether the value is clearly above `best` (-inf: none yet), and what `ascend` does; if
-    it is, its turns and columns are written to `turns` and `columns`. Among equals the first one
-    wins, so that a team doesn't change its mind for nothing.
+    Start 0 is flight straight away from the disk's centre; each of the others the best of that
+    flight turned by π times `CANDIDATES` rows of `noise` (numbers in [-1, 1]).
+
+    Returns the best value, at least `best` (-inf: none yet), how its ascent ended, and the cost.
+    Where a start comes out clearly above `best`, its turns and columns are written to `turns` and
+    `columns`. Among equals the first one wins, so that a team doesn't change its mind for nothing.
     """
-    starts, worths = scratch.starts, scratch.worths
-    chosen = 0
-    for k in range(count):
-        if worths[k] > worths[chosen]:
-            chosen = k
-    worths[chosen] = -math.inf
-    for i in range(n):
-        scratch.turns[i] = starts[chosen, i]
-    scratch.columns.used[0] = 0
-    value, ended, tally = ascend(
+    ended, steps, programmes, interceptions = 0, 0, 0, 0
+    for start in range(first, last):
+        _lay_out(evaders, n, pursuit, noise, start, scratch)
+        scratch.columns.used[0] = 0
+        value, how, cost = ascend(
+            evaders,
+            pursuit,
+            scratch.turns[:n],
+            scratch.columns,
+            FIRST_BOX,
+            tolerance,
+            most_steps,
+            scratch.ascent,
+        )
+        steps += cost.steps
+        programmes += cost.programmes
+        interceptions += cost.interceptions
+        if value > best + 1e-10 * abs(best) or best == -math.inf:
+            best, ended = value, how
+            for i in range(n):
+                turns[i] = scratch.turns[i]
+            _copy_columns(scratch.columns, n, columns)
+    return best, ended, Tally(steps, programmes, interceptions)
+
+
+@allocating
+def search_once(
+    evaders: Table,
+    pursuit: Pursuit,
+    noise: Table,
+    warm: bool,
+    first: int,
+    last: int,
+    best: float,
+    tolerance: float,
+    most_steps: int,
+    turns: Floats,
+) -> tuple[float, int, Tally, Columns, Floats]:
+    """Ascend from `turns` if `warm`, and `search`, with scratch of its own.
+
+    Returns also the columns of the best turns, and when each of them ends.
+    """
+    n = len(turns)
+    columns, scratch = make_columns(n), search_scratch(n)
+    ended, tally = 0, Tally(0, 0, 0)
+    if warm:
+        best, ended, tally = ascend(
+            evaders, pursuit, turns, columns, FIRST_BOX, tolerance, most_steps, scratch.ascent
+        )
+    found, how, cost = search(
         evaders,
+        n,
         pursuit,
-        scratch.turns[:n],
-        scratch.columns,
-        FIRST_BOX,
+        noise,
+        first,
+        last,
+        best,
         tolerance,
         most_steps,
-        scratch.ascent,
+        turns,
+        columns,
+        scratch,
     )
-    improved = value > best + 1e-10 * abs(best) or best == -math.inf
-    if improved:
-        for i in range(n):
-            turns[i] = scratch.turns[i]
-        copy_columns(scratch.columns, n, columns)
-    return improved, value, ended, tally
+    if found > best:
+        best, ended = found, how
+    tally = Tally(
+        tally.steps + cost.steps,
+        tally.programmes + cost.programmes,
+        tally.interceptions + cost.interceptions,
+    )
+    paths, times, ends = scratch.ascent.paths, scratch.ascent.times[0], np.empty(columns.used[0])
+    set_paths(evaders, turns, pursuit.speed, paths)
+    for s in range(len(ends)):
+        ends[s] = capture_times(paths, pursuit, columns.sequences[s], times)
+    return best, ended, tally, columns, ends
 
 
 @compiled
-def copy_columns(source: Columns, n: int, target: Columns) -> None:
+def _lay_out(
+    evaders: Table, n: int, pursuit: Pursuit, noise: Table, start: int, scratch: SearchScratch
+) -> None:
+    """Write the turns of a start to `scratch.turns`."""
+    if start == 0:
+        _away(evaders, n, pursuit, scratch.turns)
+        return
+    best = -math.inf
+    for row in range((start - 1) * CANDIDATES, start * CANDIDATES):
+        _away(evaders, n, pursuit, scratch.candidate)
+        for i in range(n):
+            scratch.candidate[i] = wrapped(scratch.candidate[i] + math.pi * noise[row, i])
+        worth = _worth(evaders, n, pursuit, scratch.candidate, scratch.ascent)
+        if worth > best:
+            best = worth
+            for i in range(n):
+                scratch.turns[i] = scratch.candidate[i]
+
+
+@compiled
+def _away(evaders: Table, n: int, pursuit: Pursuit, turns: Floats) -> None:
+    """Write the turns, the shorter way, to flight straight away from the disk's centre."""
+    for i in range(n):
+        off_x, off_y = evaders[i, X] - pursuit.center_x, evaders[i, Y] - pursuit.center_y
+        turns[i] = wrapped(math.atan2(off_y, off_x) - evaders[i, HEADING])
+
+
+@compiled
+def _worth(
+    evaders: Table, n: int, pursuit: Pursuit, turns: Floats, scratch: AscentScratch
+) -> float:
+    """The exact value of a candidate."""
+    set_paths(evaders, turns[:n], pursuit.speed, scratch.paths)
+    value, _ = least_time(
+        scratch.paths,
+        n,
+        pursuit,
+        math.inf,
+        scratch.labels,
+        scratch.arrivals,
+        scratch.members,
+        scratch.found,
+    )
+    return value
+
+
+@compiled
+def _copy_columns(source: Columns, n: int, target: Columns) -> None:
     """Copy the columns of n evaders."""
     target.used[0] = source.used[0]
     for s in range(source.used[0]):
         target.weights[s] = source.weights[s]
         for k in range(n):
             target.sequences[s, k] = source.sequences[s, k]
-
-
-@compiled
-def _worth(
-    evaders: Table, n: int, pursuit: Pursuit, turns: Floats, scratch: SearchScratch
-) -> float:
-    """The exact value of a start."""
-    ascent = scratch.ascent
-    set_paths(evaders, turns[:n], pursuit.speed, ascent.paths)
-    value, _ = least_time(
-        ascent.paths,
-        n,
-        pursuit,
-        math.inf,
-        ascent.labels,
-        ascent.arrivals,
-        ascent.members,
-        ascent.found,
-    )
-    return value

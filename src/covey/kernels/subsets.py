@@ -33,8 +33,8 @@ def least_time(
 
     Returns it and the number of interceptions computed, and writes its order to `sequence`; returns
     `bound` and leaves `sequence` alone where no sequence beats it. `labels` (2**n * n at least),
-    `arrivals` (n) and `members` (n) are scratch. A label from which some evader can't even be
-    reached directly before `bound` is dropped, for a detour only takes longer.
+    `arrivals` (n) and `members` (n) are scratch. A label from which some evader is out of reach
+    before `bound` is dropped.
     """
     full = (1 << n) - 1
     for label in range(n << n):
@@ -89,13 +89,22 @@ def _reach(
     bound: float,
     arrivals: Floats,
 ) -> int:
-    """Write the arrivals at the first `count` targets; stop at one that isn't before `bound`."""
+    """Write the arrivals at the first `count` targets; stop at one that can't be before `bound`.
+
+    A detour over other evaders is longer, but each capture on the way grants another 2ρ. So an
+    evader is out of reach only if it is with 2ρ for each capture that is still to come.
+    """
     for k in range(count):
         arrivals[k] = earliest_capture(
             paths, targets[k], x, y, pursuit.later_radius, time, pursuit.speed
         )
         if arrivals[k] >= bound:
-            return k
+            granted = count * pursuit.later_radius
+            if (
+                granted == 0.0
+                or earliest_capture(paths, targets[k], x, y, granted, time, pursuit.speed) >= bound
+            ):
+                return k
     return count
 
 

@@ -73,5 +73,7 @@ class Team:
 
     def as_rows(self) -> Floats:
         """Return (N, 5) rows (x, y, heading, speed, turn rate), the form the kernels read."""
-        columns = (self.positions, self.headings, self.speeds, self.turn_rates)
-        return np.column_stack(columns).astype(np.float64)
+        rows = np.empty((len(self), 5))
+        rows[:, :2] = self.positions
+        rows[:, 2], rows[:, 3], rows[:, 4] = self.headings, self.speeds, self.turn_rates
+        return rows

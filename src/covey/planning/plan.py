@@ -11,29 +11,17 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.kernels.ascent import CONVERGED, STALLED, STEPS_USED_UP, Columns, make_columns
-from covey.kernels.search import (
-    follow_best_start,
-    lay_out_starts,
-    search_scratch,
-)
+from covey.kernels.search import CANDIDATES, search_once
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.angles import wrap_angle
 from covey.model.checks import Floats, frozen_array, number, whole_number
-from covey.planning.guarantee import (
-    Guarantee,
-    capture_times,
-    check_game,
-    guaranteed_survival,
-    pursuit_of,
-)
+from covey.planning.guarantee import check_game, pursuit_of
 
 DEFAULT_STARTS = 32
 DEFAULT_TOLERANCE = 1e-9
 MOST_STEPS = 200
 CRITICAL_WITHIN = 1e-6
 """Sequences within this of the guaranteed time, relative, count as critical."""
-SCREENED_PER_START = 8
-"""Random starts that are evaluated for each one that is followed to its maximum."""
 
 
 class PlanStatus(StrEnum):
@@ -104,7 +92,8 @@ def plan(
         Seed of the random starts. The same call gives the same plan, bit for bit.
     starts
         How many starts are followed to their local maximum: the warm start, flight straight away
-        from the disk's centre, and the best of eight times as many random ones.
+        from the disk's centre, then random ones, each the best of eight. More starts include the
+        fewer, and never give less.
     tolerance
         An ascent ends when a step promises less than this, relative to the survival time.
     time_limit
@@ -132,47 +121,71 @@ def plan(
     """
     check_game(team, disk)
     number("tolerance", tolerance, low=0.0, strictly=True)
-    deadline = math.inf
     if time_limit is not None:
-        deadline = time.perf_counter() + number("time_limit", time_limit, low=0.0)
-    followed = whole_number("starts", starts, low=1)
+        number("time_limit", time_limit, low=0.0)
+    whole_number("starts", starts, low=1)
     n = len(team)
-    turns, columns = np.zeros(n), make_columns(n)
-    if warm_start is not None:
-        turns[:] = _turns_of(warm_start, n)
-    noise = start_noise(seed, followed, n)
-    scratch = search_scratch(len(noise) + 2, n)
+    warm = warm_start is not None
+    turns = np.zeros(n) if warm_start is None else _turns_of(warm_start, n)
+    noise = start_noise(seed, starts - warm, n)
+    return _search(team, disk, turns, warm, starts, noise, tolerance, time_limit)
+
+
+def _search(
+    team: Team,
+    disk: PursuerDisk,
+    turns: Floats,
+    warm: bool,
+    starts: int,
+    noise: Floats,
+    tolerance: float,
+    time_limit: float | None,
+) -> Plan:
+    """Follow all starts in one go or, under a time limit, one by one."""
+    late = math.inf if time_limit is None else time.perf_counter() + time_limit
+    at_once = starts if time_limit is None else 1
     evaders, pursuit = team.as_rows(), pursuit_of(disk)
-    count = lay_out_starts(evaders, n, pursuit, noise, warm_start is not None, turns, scratch)
-    best, status = -math.inf, PlanStatus.CONVERGED
-    tallies = []
-    for _ in range(min(followed, count)):
-        improved, value, ended, tally = follow_best_start(
-            evaders, n, pursuit, count, best, tolerance, MOST_STEPS, turns, columns, scratch
+    best, status, critical = -math.inf, PlanStatus.CONVERGED, ()
+    done = steps = interceptions = 0
+    while done < starts:
+        first, last = max(done - warm, 0), done + at_once - warm
+        found, ended, tally, columns, ends = search_once(
+            evaders,
+            pursuit,
+            noise,
+            warm and done == 0,
+            first,
+            last,
+            best,
+            tolerance,
+            MOST_STEPS,
+            turns,
         )
-        tallies.append(tally)
-        if improved:
-            best, status = value, _STATUS[ended]
-        if time.perf_counter() > deadline:
+        if found > best:
+            best, status, critical = found, _STATUS[ended], _critical(columns, ends, found)
+        done += at_once
+        steps += tally.steps
+        interceptions += tally.interceptions
+        if done < starts and time.perf_counter() > late:
             status = PlanStatus.TIME_LIMIT
             break
-    guarantee = guaranteed_survival(team, disk, turns)
     return Plan(
         turns=_read_only(turns),
         goal_headings=_read_only(wrap_angle(team.headings + turns)),
-        survival_time=guarantee.time,
-        critical_sequences=_critical(team, disk, turns, columns, guarantee),
+        survival_time=best,
+        critical_sequences=critical,
         status=status,
-        starts=len(tallies),
-        steps=sum(tally.steps for tally in tallies),
-        interceptions=sum(tally.interceptions for tally in tallies),
+        starts=done,
+        steps=steps,
+        interceptions=interceptions,
     )
 
 
 def start_noise(seed: int, starts: int, n: int) -> Floats:
-    """Return (8 (starts - 1), n) random numbers in [-1, 1] that turn the starts of a search."""
+    """Return the random numbers in [-1, 1] that lay out `starts` starts for n evaders."""
+    rows = CANDIDATES * max(starts - 1, 0)
     generator = np.random.default_rng(whole_number("seed", seed, low=0))
-    return generator.uniform(-1.0, 1.0, (SCREENED_PER_START * max(starts - 1, 0), n))
+    return generator.uniform(-1.0, 1.0, (rows, n))
 
 
 def columns_of(plan: Plan) -> Columns:
@@ -190,20 +203,14 @@ def _turns_of(warm_start: Plan | npt.ArrayLike, n: int) -> Floats:
     checked = frozen_array("warm_start", turns, (n,))
     if np.abs(checked).max() > math.pi:
         raise InputError(f"warm_start: expected turns in [-π, π], got {checked.tolist()}")
-    return checked
+    return checked.copy()
 
 
-def _critical(
-    team: Team, disk: PursuerDisk, turns: Floats, columns: Columns, guarantee: Guarantee
-) -> tuple[tuple[int, ...], ...]:
-    """The sequences among the columns that attain the guarantee, the worst one first."""
-    latest = guarantee.time * (1.0 + CRITICAL_WITHIN)
-    found = {guarantee.sequence: guarantee.time}
-    for row in columns.sequences[: columns.used[0]]:
-        last = capture_times(team, disk, turns, row)[-1]
-        if last <= latest:
-            found.setdefault(tuple(row.tolist()), float(last))
-    return tuple(sorted(found, key=lambda sequence: (found[sequence], sequence)))
+def _critical(columns: Columns, ends: Floats, value: float) -> tuple[tuple[int, ...], ...]:
+    """The sequences among the columns that attain the value, the worst one first."""
+    rows = columns.sequences[: len(ends)].tolist()
+    ranked = sorted(zip(ends.tolist(), rows, strict=True))
+    return tuple(tuple(row) for end, row in ranked if end <= value * (1.0 + CRITICAL_WITHIN))
 
 
 def _read_only(array: Floats) -> Floats:

@@ -138,5 +138,5 @@ class _Replanning:
         self._living = situation.evaders
         self._columns = columns_of(first)
         self._noise = start_noise(self._seed, self._strategy.restarts, n)
-        self._scratch = search_scratch(len(self._noise) + 2, n)
+        self._scratch = search_scratch(n)
         return np.array(first.turns)

@@ -102,7 +102,7 @@ def _play_compiled(
         sequence,
         known,
         True,
-        search_scratch(len(noise) + 2, n),
+        search_scratch(n),
     )
     strategies: dict[str, Any] = {"evaders": evaders.describe(), "pursuer": pursuer.describe()}
     captures = order[:captured], times[:captured]

@@ -1,0 +1,101 @@
+"""Symmetric matrices: the Cholesky factor where there is one, and the nearest thing where not.
+
+Matrices are given and returned in their lower triangles.
+"""
+
+from __future__ import annotations
+
+import math
+
+from covey.kernels._jit import compiled
+from covey.kernels.types import Floats, Table
+
+_TINY = 1e-8
+_MOST_SWEEPS = 30
+
+
+@compiled
+def factorise(matrix: Table, n: int, factor: Table) -> bool:
+    """Write the Cholesky factor; return whether `matrix` is positive definite beyond rounding."""
+    largest = 0.0
+    for i in range(n):
+        largest = max(largest, abs(matrix[i, i]))
+    for j in range(n):
+        pivot = matrix[j, j]
+        for k in range(j):
+            pivot -= factor[j, k] * factor[j, k]
+        if not pivot > _TINY * largest:
+            return False
+        root = math.sqrt(pivot)
+        factor[j, j] = root
+        for i in range(j + 1, n):
+            entry = matrix[i, j]
+            for k in range(j):
+                entry -= factor[i, k] * factor[j, k]
+            factor[i, j] = entry / root
+    return True
+
+
+@compiled
+def make_positive(matrix: Table, n: int, vectors: Table, sizes: Floats) -> None:
+    """Replace each eigenvalue by its absolute value, or by 1e-7 of the largest if that is more.
+
+    A Newton step then climbs away from a saddle as fast as it approaches a maximum. `vectors`
+    (n, n) and `sizes` (n) are scratch.
+    """
+    _diagonalise(matrix, n, vectors)
+    largest = 0.0
+    for i in range(n):
+        sizes[i] = abs(matrix[i, i])
+        largest = max(largest, sizes[i])
+    for i in range(n):
+        sizes[i] = max(sizes[i], 10.0 * _TINY * largest, 1e-300)
+    for i in range(n):
+        for j in range(i + 1):
+            total = 0.0
+            for k in range(n):
+                total += sizes[k] * vectors[i, k] * vectors[j, k]
+            matrix[i, j] = total
+
+
+@compiled
+def _diagonalise(matrix: Table, n: int, vectors: Table) -> None:
+    """Jacobi's method: rotate until the matrix is diagonal; `vectors` gets the eigenvectors."""
+    for i in range(n):
+        for j in range(n):
+            vectors[i, j] = 1.0 if i == j else 0.0
+    for _ in range(_MOST_SWEEPS):
+        off = diagonal = 0.0
+        for i in range(n):
+            diagonal += matrix[i, i] * matrix[i, i]
+            for j in range(i):
+                off += matrix[i, j] * matrix[i, j]
+        if off <= 1e-24 * diagonal:
+            return
+        for p in range(n):
+            for q in range(p):
+                if matrix[p, q] != 0.0:
+                    _rotate(matrix, n, vectors, p, q)
+
+
+@compiled
+def _rotate(matrix: Table, n: int, vectors: Table, p: int, q: int) -> None:
+    """Make entry (p, q), q < p, zero by a rotation in the plane of p and q."""
+    entry = matrix[p, q]
+    slope = 0.5 * (matrix[q, q] - matrix[p, p]) / entry
+    tangent = math.copysign(1.0, slope) / (abs(slope) + math.hypot(slope, 1.0))
+    cosine = 1.0 / math.hypot(tangent, 1.0)
+    sine = tangent * cosine
+    matrix[p, p] -= tangent * entry
+    matrix[q, q] += tangent * entry
+    matrix[p, q] = 0.0
+    for k in range(n):
+        if k not in (p, q):
+            row_p, column_p = max(k, p), min(k, p)
+            row_q, column_q = max(k, q), min(k, q)
+            at_p, at_q = matrix[row_p, column_p], matrix[row_q, column_q]
+            matrix[row_p, column_p] = cosine * at_p - sine * at_q
+            matrix[row_q, column_q] = cosine * at_q + sine * at_p
+        vector_p, vector_q = vectors[k, p], vectors[k, q]
+        vectors[k, p] = cosine * vector_p - sine * vector_q
+        vectors[k, q] = cosine * vector_q + sine * vector_p
