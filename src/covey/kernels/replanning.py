@@ -10,13 +10,10 @@ import math
 
 from covey.kernels._jit import compiled
 from covey.kernels.ascent import AscentScratch, Columns, ascend
-from covey.kernels.search import SearchScratch, search
+from covey.kernels.search import WARM_BOX, SearchScratch, search
 from covey.kernels.sequence import capture_times
 from covey.kernels.subsets import least_time
 from covey.kernels.types import Floats, Ints, Pursuit, Table
-
-WARM_BOX = 0.2
-"""Largest first change of a turn, radians, in an ascent that starts from the plan that is flown."""
 
 
 @compiled

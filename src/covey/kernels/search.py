@@ -20,6 +20,9 @@ from covey.kernels.types import Floats, Pursuit, Table
 FIRST_BOX = 1.0
 """Largest first change of a turn, radians, in an ascent that starts from nowhere in particular."""
 
+WARM_BOX = 0.2
+"""The same in an ascent that starts from a plan of a moment ago."""
+
 CANDIDATES = 8
 """Random turns that are evaluated for each start; the ascent begins at the best of them."""
 
@@ -100,17 +103,17 @@ def search_once(
     tolerance: float,
     most_steps: int,
     turns: Floats,
-) -> tuple[float, int, Tally, Columns, Floats]:
-    """Ascend from `turns` if `warm`, and `search`, with scratch of its own.
+    columns: Columns,
+) -> tuple[float, int, Tally, Floats]:
+    """Ascend from `turns` and `columns` if `warm`, and `search`, with scratch of its own.
 
-    Returns also the columns of the best turns, and when each of them ends.
+    Returns also when each column of the best turns ends.
     """
-    n = len(turns)
-    columns, scratch = make_columns(n), search_scratch(n)
+    n, scratch = len(turns), search_scratch(len(turns))
     ended, tally = 0, Tally(0, 0, 0)
     if warm:
         best, ended, tally = ascend(
-            evaders, pursuit, turns, columns, FIRST_BOX, tolerance, most_steps, scratch.ascent
+            evaders, pursuit, turns, columns, WARM_BOX, tolerance, most_steps, scratch.ascent
         )
     found, how, cost = search(
         evaders,
@@ -137,7 +140,7 @@ def search_once(
     set_paths(evaders, turns, pursuit.speed, paths)
     for s in range(len(ends)):
         ends[s] = capture_times(paths, pursuit, columns.sequences[s], times)
-    return best, ended, tally, columns, ends
+    return best, ended, tally, ends
 
 
 @compiled

@@ -1,6 +1,6 @@
 """The open-loop plan: what it guarantees, and the best one."""
 
 from covey.planning.guarantee import Guarantee, capture_times, guaranteed_survival
-from covey.planning.plan import Plan, PlanStatus, plan
+from covey.planning.open_loop import Plan, PlanStatus, plan
 
 __all__ = ["Guarantee", "Plan", "PlanStatus", "capture_times", "guaranteed_survival", "plan"]

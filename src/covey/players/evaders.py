@@ -14,7 +14,7 @@ from covey.kernels.search import search_scratch
 from covey.model.checks import Floats, whole_number
 from covey.planning import plan
 from covey.planning.guarantee import pursuit_of
-from covey.planning.plan import (
+from covey.planning.open_loop import (
     DEFAULT_STARTS,
     DEFAULT_TOLERANCE,
     MOST_STEPS,

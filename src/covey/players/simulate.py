@@ -12,7 +12,7 @@ from covey.kernels.search import search_scratch
 from covey.model import PursuerDisk, Team
 from covey.planning import plan
 from covey.planning.guarantee import check_game
-from covey.planning.plan import columns_of, start_noise
+from covey.planning.open_loop import columns_of, start_noise
 from covey.players.evaders import IterativeOpenLoop, OpenLoop
 from covey.players.pursuers import CommittedPursuer, FixedSequence
 from covey.simulation import (

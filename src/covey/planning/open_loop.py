@@ -57,6 +57,9 @@ class Plan:
         Capture sequences that attain the guaranteed time or come within 1e-6 of it, relative; the
         earliest first.
     status : PlanStatus
+    weights : tuple of float
+        For each critical sequence the share with which it holds the plan where it is: the Lagrange
+        multipliers of eq. (6), >= 0, summing to 1.
     starts, steps, interceptions : int
         What the search cost: starts followed to the end, steps of sequential quadratic
         programming, interceptions computed by the dynamic programme.
@@ -66,6 +69,7 @@ class Plan:
     goal_headings: Floats
     survival_time: float
     critical_sequences: tuple[tuple[int, ...], ...]
+    weights: tuple[float, ...]
     status: PlanStatus
     starts: int
     steps: int
@@ -127,14 +131,16 @@ def plan(
     n = len(team)
     warm = warm_start is not None
     turns = np.zeros(n) if warm_start is None else _turns_of(warm_start, n)
+    columns = columns_of(warm_start) if isinstance(warm_start, Plan) else make_columns(n)
     noise = start_noise(seed, starts - warm, n)
-    return _search(team, disk, turns, warm, starts, noise, tolerance, time_limit)
+    return _search(team, disk, turns, columns, warm, starts, noise, tolerance, time_limit)
 
 
 def _search(
     team: Team,
     disk: PursuerDisk,
     turns: Floats,
+    columns: Columns,
     warm: bool,
     starts: int,
     noise: Floats,
@@ -145,11 +151,11 @@ def _search(
     late = math.inf if time_limit is None else time.perf_counter() + time_limit
     at_once = starts if time_limit is None else 1
     evaders, pursuit = team.as_rows(), pursuit_of(disk)
-    best, status, critical = -math.inf, PlanStatus.CONVERGED, ()
+    best, status, held = -math.inf, PlanStatus.CONVERGED, _held(columns, np.empty(0), 0.0)
     done = steps = interceptions = 0
     while done < starts:
         first, last = max(done - warm, 0), done + at_once - warm
-        found, ended, tally, columns, ends = search_once(
+        found, ended, tally, ends = search_once(
             evaders,
             pursuit,
             noise,
@@ -160,9 +166,10 @@ def _search(
             tolerance,
             MOST_STEPS,
             turns,
+            columns,
         )
         if found > best:
-            best, status, critical = found, _STATUS[ended], _critical(columns, ends, found)
+            best, status, held = found, _STATUS[ended], _held(columns, ends, found)
         done += at_once
         steps += tally.steps
         interceptions += tally.interceptions
@@ -173,7 +180,8 @@ def _search(
         turns=_read_only(turns),
         goal_headings=_read_only(wrap_angle(team.headings + turns)),
         survival_time=best,
-        critical_sequences=critical,
+        critical_sequences=tuple(sequence for sequence, _ in held),
+        weights=tuple(weight for _, weight in held),
         status=status,
         starts=done,
         steps=steps,
@@ -183,18 +191,19 @@ def _search(
 
 def start_noise(seed: int, starts: int, n: int) -> Floats:
     """Return the random numbers in [-1, 1] that lay out `starts` starts for n evaders."""
-    rows = CANDIDATES * max(starts - 1, 0)
-    generator = np.random.default_rng(whole_number("seed", seed, low=0))
-    return generator.uniform(-1.0, 1.0, (rows, n))
+    whole_number("seed", seed, low=0)
+    if starts <= 1:
+        return np.empty((0, n))
+    return np.random.default_rng(seed).uniform(-1.0, 1.0, (CANDIDATES * (starts - 1), n))
 
 
 def columns_of(plan: Plan) -> Columns:
     """Return the plan's critical sequences as the columns that a warm ascent starts with."""
-    n = len(plan.turns)
-    columns = make_columns(n)
-    rows = plan.critical_sequences[: len(columns.weights)]
-    columns.used[0] = len(rows)
-    columns.sequences[: len(rows)] = rows
+    columns = make_columns(len(plan.turns))
+    count = min(len(plan.weights), len(columns.weights))
+    columns.used[0] = count
+    columns.sequences[:count] = plan.critical_sequences[:count]
+    columns.weights[:count] = plan.weights[:count]
     return columns
 
 
@@ -206,11 +215,17 @@ def _turns_of(warm_start: Plan | npt.ArrayLike, n: int) -> Floats:
     return checked.copy()
 
 
-def _critical(columns: Columns, ends: Floats, value: float) -> tuple[tuple[int, ...], ...]:
-    """The sequences among the columns that attain the value, the worst one first."""
-    rows = columns.sequences[: len(ends)].tolist()
-    ranked = sorted(zip(ends.tolist(), rows, strict=True))
-    return tuple(tuple(row) for end, row in ranked if end <= value * (1.0 + CRITICAL_WITHIN))
+def _held(columns: Columns, ends: Floats, value: float) -> list[tuple[tuple[int, ...], float]]:
+    """The columns that attain the value, the worst one first, with their weights."""
+    count = len(ends)
+    rows = zip(
+        ends.tolist(),
+        map(tuple, columns.sequences[:count].tolist()),
+        columns.weights[:count].tolist(),
+        strict=True,
+    )
+    latest = value * (1.0 + CRITICAL_WITHIN)
+    return [(sequence, weight) for end, sequence, weight in sorted(rows) if end <= latest]
 
 
 def _read_only(array: Floats) -> Floats:
