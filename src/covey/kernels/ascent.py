@@ -22,13 +22,14 @@ from covey.kernels.quadratic import (
     solve_quadratic,
 )
 from covey.kernels.sequence import CAPTURE, add_curvature, capture_times, differentiate
-from covey.kernels.subsets import least_time
+from covey.kernels.subsets import SubsetScratch, least_time, subset_scratch
 from covey.kernels.types import Floats, Ints, Pursuit, Table
 
 CONVERGED, STALLED, STEPS_USED_UP = range(3)
 
 _LEAST_BOX = 1e-9
 _PENALTY = 20.0  # of the curvature, across the active columns
+_MOST_CORRECTIONS = 3
 _DISAPPOINTING = 0.6  # share of the promise below which a step is corrected
 
 
@@ -63,9 +64,7 @@ class AscentScratch(NamedTuple):
     step: Floats  # (n,)
     values: Floats  # (m,)
     found: Ints  # (n,) the sequence that the dynamic programme found
-    labels: Floats  # (2**n * n,)
-    arrivals: Floats  # (n,)
-    members: Ints  # (n,)
+    subsets: SubsetScratch
     quadratic: QuadraticScratch
 
 
@@ -115,9 +114,7 @@ def ascent_scratch(n: int) -> AscentScratch:
         np.empty(n),
         np.empty(m),
         np.empty(n, np.int64),
-        np.empty(n << n),
-        np.empty(n),
-        np.empty(n, np.int64),
+        subset_scratch(n),
         quadratic_scratch(n, m),
     )
 
@@ -142,7 +139,8 @@ def ascend(
     paths, trial_paths = scratch.paths, scratch.trial_paths
     times, trial_times = scratch.times, scratch.trial_times
     set_paths(evaders, turns, pursuit.speed, paths)
-    value, _, interceptions = _exact_value(paths, n, pursuit, columns, times, scratch)
+    value = _column_times(paths, n, pursuit, columns, times)
+    value, _, interceptions = _exact_value(paths, n, pursuit, columns, value, times, scratch)
     programmes, steps, ended = 1, 0, STEPS_USED_UP
     straightened = False
     moved = True  # gradients and curvature belong to other turns
@@ -158,33 +156,33 @@ def ascend(
             ended = CONVERGED
             break
         steps += 1
-        trial, joined, cost = _try_step(
-            evaders, n, pursuit, turns, columns, trial_paths, trial_times, scratch
-        )
-        programmes += 1
-        interceptions += cost
-        if joined >= 0:
-            _linearise_one(paths, n, pursuit, columns, joined, times, scratch)
-        # A gain with a new column is taken as it is: the next step will know the column.
-        disappointing = trial - value < _DISAPPOINTING * (promise - value)
-        if disappointing and (joined < 0 or trial < value):
-            for i in range(n):
-                scratch.first_turns[i] = scratch.turns[i]
-            _corrected_step(turns, n, columns, trial_times, box, scratch)
-            second, joined, cost = _try_step(
-                evaders, n, pursuit, turns, columns, trial_paths, trial_times, scratch
+        trial = _try_step(evaders, n, pursuit, turns, columns, trial_paths, trial_times, scratch)
+        for _ in range(_MOST_CORRECTIONS):
+            if trial - value < _DISAPPOINTING * (promise - value):
+                trial = _correct(
+                    evaders,
+                    n,
+                    pursuit,
+                    turns,
+                    columns,
+                    trial,
+                    box,
+                    trial_paths,
+                    trial_times,
+                    scratch,
+                )
+            if trial <= value:
+                break
+            trial, joined, cost = _exact_value(
+                trial_paths, n, pursuit, columns, trial, trial_times, scratch
             )
             programmes += 1
             interceptions += cost
-            if joined >= 0:
-                _linearise_one(paths, n, pursuit, columns, joined, times, scratch)
-            if second > trial:
-                trial = second
-            else:
-                for i in range(n):
-                    scratch.turns[i] = scratch.first_turns[i]
-                set_paths(evaders, scratch.turns[:n], pursuit.speed, trial_paths)
-                _column_times(trial_paths, n, pursuit, columns, trial_times)
+            if joined < 0:
+                break
+            _linearise_one(paths, n, pursuit, columns, joined, times, scratch)
+            if trial > value:
+                break
         gained = (trial - value) / (promise - value)
         longest = 0.0
         for i in range(n):
@@ -216,12 +214,38 @@ def _try_step(
     paths: Table,
     times: Table,
     scratch: AscentScratch,
-) -> tuple[float, int, int]:
-    """Evaluate `turns` moved by the step, as `_exact_value` does; leaves them in `scratch`."""
+) -> float:
+    """Move `turns` by the step; return the least of the columns there, no less than the value."""
     for i in range(n):
         scratch.turns[i] = min(max(turns[i] + scratch.step[i], -math.pi), math.pi)
     set_paths(evaders, scratch.turns[:n], pursuit.speed, paths)
-    return _exact_value(paths, n, pursuit, columns, times, scratch)
+    return _column_times(paths, n, pursuit, columns, times)
+
+
+@compiled
+def _correct(
+    evaders: Table,
+    n: int,
+    pursuit: Pursuit,
+    turns: Floats,
+    columns: Columns,
+    trial: float,
+    box: float,
+    paths: Table,
+    times: Table,
+    scratch: AscentScratch,
+) -> float:
+    """Replace a trial that disappoints by its second-order correction, if that is better."""
+    for i in range(n):
+        scratch.first_turns[i] = scratch.turns[i]
+    _corrected_step(turns, n, columns, times, box, scratch)
+    second = _try_step(evaders, n, pursuit, turns, columns, paths, times, scratch)
+    if second > trial:
+        return second
+    for i in range(n):
+        scratch.turns[i] = scratch.first_turns[i]
+    set_paths(evaders, scratch.turns[:n], pursuit.speed, paths)
+    return _column_times(paths, n, pursuit, columns, times)
 
 
 @compiled
@@ -235,25 +259,28 @@ def _column_times(paths: Table, n: int, pursuit: Pursuit, columns: Columns, time
 
 @compiled
 def _exact_value(
-    paths: Table, n: int, pursuit: Pursuit, columns: Columns, times: Floats, scratch: AscentScratch
+    paths: Table,
+    n: int,
+    pursuit: Pursuit,
+    columns: Columns,
+    bound: float,
+    times: Table,
+    scratch: AscentScratch,
 ) -> tuple[float, int, int]:
-    """The exact minimum over all sequences, the column that joined for it (or -1), the cost.
+    """The exact minimum over all sequences, where `bound` is the least of the columns.
 
-    Writes the capture times of all columns.
+    Returns also the column that joined because it is below the bound, or -1, and the cost.
     """
-    value = _column_times(paths, n, pursuit, columns, times)
     least, interceptions = least_time(
         paths,
         n,
         pursuit,
-        value,
-        scratch.labels,
-        scratch.arrivals,
-        scratch.members,
+        bound,
         scratch.found,
+        scratch.subsets,
     )
     joined = -1
-    if least < value:
+    if least < bound:
         joined = _join(columns, n, scratch.found, times)
         capture_times(paths, pursuit, columns.sequences[joined, :n], times[joined])
     return least, joined, interceptions

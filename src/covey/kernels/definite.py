@@ -40,6 +40,7 @@ def factorise(matrix: Table, n: int, factor: Table) -> bool:
 def make_positive(matrix: Table, n: int, vectors: Table, sizes: Floats) -> None:
     """Replace each eigenvalue by its absolute value, or by 1e-7 of the largest if that is more.
 
+    Where all are zero, by one.
     A Newton step then climbs away from a saddle as fast as it approaches a maximum. `vectors`
     (n, n) and `sizes` (n) are scratch.
     """
@@ -49,7 +50,7 @@ def make_positive(matrix: Table, n: int, vectors: Table, sizes: Floats) -> None:
         sizes[i] = abs(matrix[i, i])
         largest = max(largest, sizes[i])
     for i in range(n):
-        sizes[i] = max(sizes[i], 10.0 * _TINY * largest, 1e-300)
+        sizes[i] = max(sizes[i], 10.0 * _TINY * largest) if largest > 0.0 else 1.0
     for i in range(n):
         for j in range(i + 1):
             total = 0.0

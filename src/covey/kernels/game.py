@@ -101,10 +101,8 @@ def write_page(
             n,
             pursuit_from(state, rules),
             math.inf,
-            scratch.labels,
-            scratch.arrivals,
-            scratch.members,
             scratch.found,
+            scratch.subsets,
         )
         for k in range(n):
             pages.critical[page, k] = state.ids[scratch.found[k]]
@@ -151,7 +149,7 @@ def play(
             drop_from_sequence(sequence, alive, taken)
             forget_captured(columns, alive, taken)
             remove(state, taken)
-        if team.replans and state.alive[0] > 0:
+        if team.replans and state.alive[0] > 0 and state.time[0] < rules.time_limit:
             replan(
                 state.evaders,
                 state.alive[0],

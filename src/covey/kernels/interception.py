@@ -11,11 +11,13 @@ from covey.kernels.path import (
     HALF_RATE,
     LINE_X,
     LINE_Y,
-    START_HEADING,
+    START_COSINE,
+    START_SINE,
+    START_X,
+    START_Y,
     TURN_END,
     VELOCITY_X,
     VELOCITY_Y,
-    position,
 )
 from covey.kernels.types import Table
 
@@ -55,45 +57,45 @@ def earliest_capture(
 def _capture_in_turn(
     paths: Table, i: int, x: float, y: float, radius: float, start: float, pursuer_speed: float
 ) -> float:
-    """The root of eq. (7) while the evader turns: Newton's method, kept in a shrinking bracket.
+    """The root of eq. (7) while the evader turns: Halley's method, kept in a shrinking bracket.
 
-    The slope of g lies between -(v_p + v) and -(v_p - v), so a Newton step is always defined; one
-    that leaves the bracket is replaced by its middle, and should steps be many, every second one.
-    Seen from where the evader is at `start`, along and across its heading there, an arc needs one
-    sine and one cosine a step.
+    The slope of g lies between -(v_p + v) and -(v_p - v), so a step is always defined; one that
+    leaves the bracket is replaced by its middle, and should steps be many, every second one. Seen
+    along and across the heading at the start of the turn, an arc needs one sine and one cosine.
     """
-    place_x, place_y = position(paths, i, start)
-    heading = paths[i, START_HEADING] + 2.0 * paths[i, HALF_RATE] * start
-    cosine, sine = math.cos(heading), math.sin(heading)
-    along = (place_x - x) * cosine + (place_y - y) * sine
-    across = (place_y - y) * cosine - (place_x - x) * sine
+    off_x, off_y = paths[i, START_X] - x, paths[i, START_Y] - y
+    along = off_x * paths[i, START_COSINE] + off_y * paths[i, START_SINE]
+    across = off_y * paths[i, START_COSINE] - off_x * paths[i, START_SINE]
     half_rate, diameter = paths[i, HALF_RATE], paths[i, CHORD]
     if half_rate < 0.0:
         across, half_rate = -across, -half_rate
     speed = diameter * half_rate
-    low, high = 0.0, paths[i, TURN_END] - start
-    time, away, distance = 0.0, along * speed, math.hypot(along, across)
+    low, high, time = start, paths[i, TURN_END], start
     for step in range(_MOST_STEPS):
-        gap = distance - radius - pursuer_speed * time
+        sine, cosine = math.sin(half_rate * time), math.cos(half_rate * time)
+        ahead = along + diameter * sine * cosine
+        aside = across + diameter * sine * sine
+        distance = math.sqrt(ahead * ahead + aside * aside)
+        gap = distance - radius - pursuer_speed * (time - start)
         if gap > 0.0:
             low = time
-        elif gap < 0.0 and time > 0.0:
+        elif gap < 0.0 and time > start:
             high = time
         else:
             break
-        slope = pursuer_speed - (away / distance if distance > 0.0 else 0.0)
-        closer = time + gap / slope
-        if abs(closer - time) <= _ROUNDING * (start + time):
+        turned_cosine, turned_sine = cosine * cosine - sine * sine, 2.0 * sine * cosine
+        away = bend = 0.0
+        if distance > 0.0:
+            away = speed * (ahead * turned_cosine + aside * turned_sine) / distance
+            inward = 2.0 * half_rate * (aside * turned_cosine - ahead * turned_sine)
+            bend = (speed * (speed + inward) - away * away) / distance
+        slope = pursuer_speed - away
+        closer = time + gap / (slope - 0.5 * gap * min(bend / slope, slope / gap))
+        if abs(closer - time) <= _ROUNDING * time:
             break
         if not low < closer < high or (step > _MANY_STEPS and step % 2):
             closer = 0.5 * (low + high)
             if closer in (low, high):
                 break
         time = closer
-        half_sine, half_cosine = math.sin(half_rate * time), math.cos(half_rate * time)
-        ahead = along + diameter * half_sine * half_cosine
-        aside = across + diameter * half_sine * half_sine
-        distance = math.sqrt(ahead * ahead + aside * aside)
-        turned = half_cosine * half_cosine - half_sine * half_sine
-        away = speed * (ahead * turned + aside * 2.0 * half_sine * half_cosine)
-    return start + time
+    return time

@@ -22,7 +22,9 @@ LINE_X, LINE_Y, VELOCITY_X, VELOCITY_Y = 1, 2, 3, 4
 START_X, START_Y, START_HEADING, CHORD, HALF_RATE = 5, 6, 7, 8, 9
 TURN_END_SLOPE = 10  # d(end of the turn) / d(signed turn): sign(turn) / turn rate
 CLOSING = 11  # v_p^2 - v^2
-PATH = 12
+START_COSINE, START_SINE = 12, 13
+STEERS = 14  # 1; 0 if the evader can't turn, so that its path doesn't depend on the turn
+PATH = 15
 
 
 @compiled
@@ -49,11 +51,14 @@ def set_paths(evaders: Table, turns: Floats, pursuer_speed: float, paths: Table)
             end_x += reach * math.cos(heading + 0.5 * turn)
             end_y += reach * math.sin(heading + 0.5 * turn)
         paths[i, TURN_END] = turn_end
+        paths[i, STEERS] = 1.0 if rate > 0.0 else 0.0
         paths[i, LINE_X] = end_x - velocity_x * turn_end
         paths[i, LINE_Y] = end_y - velocity_y * turn_end
         paths[i, VELOCITY_X], paths[i, VELOCITY_Y] = velocity_x, velocity_y
         paths[i, START_X], paths[i, START_Y] = evaders[i, X], evaders[i, Y]
         paths[i, START_HEADING] = heading
+        if turn_end > 0.0:
+            paths[i, START_COSINE], paths[i, START_SINE] = math.cos(heading), math.sin(heading)
         paths[i, CHORD], paths[i, HALF_RATE] = chord, half_rate
         paths[i, TURN_END_SLOPE] = turn_end_slope
         paths[i, CLOSING] = (pursuer_speed - speed) * (pursuer_speed + speed)

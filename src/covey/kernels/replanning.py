@@ -110,8 +110,6 @@ def commit(
             n,
             pursuit,
             bound,
-            scratch.labels,
-            scratch.arrivals,
-            scratch.members,
             sequence,
+            scratch.subsets,
         )

@@ -12,7 +12,7 @@ import numpy as np
 
 from covey.kernels._jit import allocating, compiled
 from covey.kernels.ascent import AscentScratch, Columns, Tally, ascend, ascent_scratch, make_columns
-from covey.kernels.path import HEADING, X, Y, set_paths, wrapped
+from covey.kernels.path import HEADING, TURN_RATE, X, Y, set_paths, wrapped
 from covey.kernels.sequence import capture_times
 from covey.kernels.subsets import least_time
 from covey.kernels.types import Floats, Pursuit, Table
@@ -155,7 +155,8 @@ def _lay_out(
     for row in range((start - 1) * CANDIDATES, start * CANDIDATES):
         _away(evaders, n, pursuit, scratch.candidate)
         for i in range(n):
-            scratch.candidate[i] = wrapped(scratch.candidate[i] + math.pi * noise[row, i])
+            if evaders[i, TURN_RATE] > 0.0:
+                scratch.candidate[i] = wrapped(scratch.candidate[i] + math.pi * noise[row, i])
         worth = _worth(evaders, n, pursuit, scratch.candidate, scratch.ascent)
         if worth > best:
             best = worth
@@ -165,10 +166,15 @@ def _lay_out(
 
 @compiled
 def _away(evaders: Table, n: int, pursuit: Pursuit, turns: Floats) -> None:
-    """Write the turns, the shorter way, to flight straight away from the disk's centre."""
+    """Write the turns, the shorter way, to flight straight away from the disk's centre.
+
+    An evader that can't turn keeps its heading here and in every start, for nothing depends on it.
+    """
     for i in range(n):
         off_x, off_y = evaders[i, X] - pursuit.center_x, evaders[i, Y] - pursuit.center_y
-        turns[i] = wrapped(math.atan2(off_y, off_x) - evaders[i, HEADING])
+        turns[i] = 0.0
+        if evaders[i, TURN_RATE] > 0.0:
+            turns[i] = wrapped(math.atan2(off_y, off_x) - evaders[i, HEADING])
 
 
 @compiled
@@ -182,10 +188,8 @@ def _worth(
         n,
         pursuit,
         math.inf,
-        scratch.labels,
-        scratch.arrivals,
-        scratch.members,
         scratch.found,
+        scratch.subsets,
     )
     return value
 

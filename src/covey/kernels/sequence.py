@@ -13,6 +13,7 @@ from covey.kernels._jit import compiled
 from covey.kernels.interception import earliest_capture
 from covey.kernels.path import (
     HALF_RATE,
+    STEERS,
     TURN_END,
     TURN_END_SLOPE,
     VELOCITY_X,
@@ -73,7 +74,7 @@ def differentiate(
             captures[k, CLOSENESS] = 1.0 / distance
         captures[k, SPEED_X], captures[k, SPEED_Y] = velocity(paths, i, time)
         captures[k, SWING_X] = captures[k, SWING_Y] = 0.0
-        if time > paths[i, TURN_END]:
+        if time > paths[i, TURN_END] and paths[i, STEERS] > 0.0:
             captures[k, SWING_X] = -(time - paths[i, TURN_END]) * paths[i, VELOCITY_Y]
             captures[k, SWING_Y] = (time - paths[i, TURN_END]) * paths[i, VELOCITY_X]
         x, y, before, radius = place_x, place_y, time, pursuit.later_radius
@@ -156,7 +157,7 @@ def add_curvature(
                 * paths[i, HALF_RATE]
                 * (pull_y * captures[k, SPEED_X] - pull_x * captures[k, SPEED_Y])
             )
-        else:
+        elif paths[i, STEERS] > 0.0:
             flown = times[k] - paths[i, TURN_END]
             time_turn = pull_y * paths[i, VELOCITY_X] - pull_x * paths[i, VELOCITY_Y]
             turn_turn = -flown * (pull_x * paths[i, VELOCITY_X] + pull_y * paths[i, VELOCITY_Y])

@@ -8,65 +8,97 @@ is all that the rest of a sequence needs to know.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
-from covey.kernels._jit import compiled, inlined
+import numpy as np
+import numpy.typing as npt
+
+from covey.kernels._jit import allocating, compiled
+from covey.kernels.deadlines import Deadlines, make_deadlines, set_deadlines, too_late
 from covey.kernels.interception import earliest_capture
 from covey.kernels.path import position
 from covey.kernels.types import Floats, Ints, Pursuit, Table
 
 MOST_EVADERS = 18
-"""Largest team the exact minimum serves: its labels fill 8 * N * 2**N bytes, 38 MB for N = 18."""
+"""Largest team the exact minimum serves: its labels fill 8 N 2^N bytes, 38 MB for N = 18."""
+
+
+class SubsetScratch(NamedTuple):
+    """Arrays of the dynamic programme for up to n evaders; sets are bit masks."""
+
+    labels: Floats  # (2**n * n,) earliest arrival by set and last captured; inf between calls
+    reached: npt.NDArray[np.bool_]  # (2**n,) whether a set has a label; False between calls
+    queue: Ints  # (2**n,) sets that have one, the smaller ones first
+    ahead: Ints  # (n,) who is not yet captured
+    deadlines: Deadlines
+
+
+@allocating
+def subset_scratch(n: int) -> SubsetScratch:
+    """Allocate the scratch of `least_time`."""
+    return SubsetScratch(
+        np.full(n << n, math.inf),
+        np.zeros(1 << n, np.bool_),
+        np.empty(1 << n, np.int64),
+        np.empty(n, np.int64),
+        make_deadlines(n),
+    )
 
 
 @compiled
 def least_time(
-    paths: Table,
-    n: int,
-    pursuit: Pursuit,
-    bound: float,
-    labels: Floats,
-    arrivals: Floats,
-    members: Ints,
-    sequence: Ints,
+    paths: Table, n: int, pursuit: Pursuit, bound: float, sequence: Ints, scratch: SubsetScratch
 ) -> tuple[float, int]:
     """Least time of a capture sequence of all `n` evaders that is below `bound`, if there is one.
 
     Returns it and the number of interceptions computed, and writes its order to `sequence`; returns
-    `bound` and leaves `sequence` alone where no sequence beats it. `labels` (2**n * n at least),
-    `arrivals` (n) and `members` (n) are scratch. A label from which some evader is out of reach
-    before `bound` is dropped.
+    `bound` and leaves `sequence` alone where no sequence beats it. A finite bound, such as the time
+    of a sequence that was the worst a moment ago, makes it many times faster.
     """
-    full = (1 << n) - 1
-    for label in range(n << n):
-        labels[label] = math.inf
+    labels, queue, ahead = scratch.labels, scratch.queue, scratch.ahead
+    bounded = bound < math.inf
     interceptions = n
+    if bounded:
+        set_deadlines(paths, n, pursuit, bound, scratch.deadlines)
+        interceptions += n * (n - 1) * (n - 1)
+    full = (1 << n) - 1
     for i in range(n):
+        queue[i] = 1 << i
+        scratch.reached[1 << i] = True
         labels[(1 << i) * n + i] = earliest_capture(
             paths, i, pursuit.center_x, pursuit.center_y, pursuit.first_radius, 0.0, pursuit.speed
         )
-    for caught in range(1, full):
-        ahead, behind = 0, n
+    done, waiting = 0, n
+    while done < waiting and queue[done] != full:
+        caught = queue[done]
+        done += 1
+        count = 0
         for i in range(n):
-            if caught >> i & 1:
-                behind -= 1
-                members[behind] = i
-            else:
-                members[ahead] = i
-                ahead += 1
-        for k in range(behind, n):
-            last = members[k]
+            if not caught >> i & 1:
+                ahead[count] = i
+                count += 1
+        for last in range(n):
             time = labels[caught * n + last]
-            if time >= bound:
+            if time == math.inf:
+                continue
+            if bounded and too_late(scratch.deadlines, n, last, time, caught):
                 continue
             x, y = position(paths, last, time)
-            reached = _reach(paths, members, ahead, x, y, time, pursuit, bound, arrivals)
-            interceptions += min(reached + 1, ahead)
-            if reached < ahead:
-                continue
-            for a in range(ahead):
-                i = members[a]
-                label = (caught | 1 << i) * n + i
-                labels[label] = min(labels[label], arrivals[a])
+            interceptions += count
+            for k in range(count):
+                i = ahead[k]
+                arrival = earliest_capture(
+                    paths, i, x, y, pursuit.later_radius, time, pursuit.speed
+                )
+                if arrival >= bound:
+                    continue
+                larger = caught | 1 << i
+                if arrival < labels[larger * n + i]:
+                    labels[larger * n + i] = arrival
+                if not scratch.reached[larger]:
+                    scratch.reached[larger] = True
+                    queue[waiting] = larger
+                    waiting += 1
 
     best, last = bound, -1
     for i in range(n):
@@ -74,38 +106,11 @@ def least_time(
             best, last = labels[full * n + i], i
     if last >= 0:
         _trace_back(paths, n, pursuit, labels, last, sequence)
+    for k in range(waiting):
+        scratch.reached[queue[k]] = False
+        for i in range(n):
+            labels[queue[k] * n + i] = math.inf
     return best, interceptions
-
-
-@inlined
-def _reach(
-    paths: Table,
-    targets: Ints,
-    count: int,
-    x: float,
-    y: float,
-    time: float,
-    pursuit: Pursuit,
-    bound: float,
-    arrivals: Floats,
-) -> int:
-    """Write the arrivals at the first `count` targets; stop at one that can't be before `bound`.
-
-    A detour over other evaders is longer, but each capture on the way grants another 2ρ. So an
-    evader is out of reach only if it is with 2ρ for each capture that is still to come.
-    """
-    for k in range(count):
-        arrivals[k] = earliest_capture(
-            paths, targets[k], x, y, pursuit.later_radius, time, pursuit.speed
-        )
-        if arrivals[k] >= bound:
-            granted = count * pursuit.later_radius
-            if (
-                granted == 0.0
-                or earliest_capture(paths, targets[k], x, y, granted, time, pursuit.speed) >= bound
-            ):
-                return k
-    return count
 
 
 @compiled

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from covey.kernels.path import PATH, set_paths
 from covey.kernels.sequence import capture_times as sequence_times
-from covey.kernels.subsets import MOST_EVADERS, least_time
+from covey.kernels.subsets import MOST_EVADERS, least_time, subset_scratch
 from covey.kernels.types import Pursuit
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.checks import Floats, frozen_array, permutation
@@ -119,10 +119,8 @@ def guaranteed_survival(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> 
         n,
         pursuit_of(disk),
         math.inf,
-        np.empty(n << n),
-        np.empty(n),
-        np.empty(n, np.int64),
         sequence,
+        subset_scratch(n),
     )
     return Guarantee(time, tuple(sequence.tolist()))
 

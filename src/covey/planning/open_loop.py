@@ -130,7 +130,7 @@ def plan(
     whole_number("starts", starts, low=1)
     n = len(team)
     warm = warm_start is not None
-    turns = np.zeros(n) if warm_start is None else _turns_of(warm_start, n)
+    turns = np.zeros(n) if warm_start is None else _turns_of(warm_start, team)
     columns = columns_of(warm_start) if isinstance(warm_start, Plan) else make_columns(n)
     noise = start_noise(seed, starts - warm, n)
     return _search(team, disk, turns, columns, warm, starts, noise, tolerance, time_limit)
@@ -207,12 +207,12 @@ def columns_of(plan: Plan) -> Columns:
     return columns
 
 
-def _turns_of(warm_start: Plan | npt.ArrayLike, n: int) -> Floats:
+def _turns_of(warm_start: Plan | npt.ArrayLike, team: Team) -> Floats:
     turns = warm_start.turns if isinstance(warm_start, Plan) else warm_start
-    checked = frozen_array("warm_start", turns, (n,))
+    checked = frozen_array("warm_start", turns, (len(team),))
     if np.abs(checked).max() > math.pi:
         raise InputError(f"warm_start: expected turns in [-π, π], got {checked.tolist()}")
-    return checked.copy()
+    return np.where(team.turn_rates > 0.0, checked, 0.0)
 
 
 def _held(columns: Columns, ends: Floats, value: float) -> list[tuple[tuple[int, ...], float]]:

@@ -2,30 +2,26 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
-import numpy as np
-
-from covey.kernels import game
-from covey.kernels.search import search_scratch
 from covey.model import PursuerDisk, Team
-from covey.planning import plan
-from covey.planning.guarantee import check_game
-from covey.planning.open_loop import columns_of, start_noise
-from covey.players.evaders import IterativeOpenLoop, OpenLoop
-from covey.players.pursuers import CommittedPursuer, FixedSequence
+from covey.players.compiled import (
+    checked_settings,
+    play_compiled,
+    pursuer_is_built_in,
+    team_is_built_in,
+)
+from covey.players.evaders import IterativeOpenLoop
+from covey.players.pursuers import CommittedPursuer
 from covey.simulation import (
     Game,
     PursuerPolicy,
     PursuerStrategy,
-    Settings,
     TeamPolicy,
     TeamStrategy,
     play,
 )
 from covey.simulation.assemble import assemble
-from covey.simulation.settings import first_state
 
 
 def simulate(
@@ -69,57 +65,11 @@ def simulate(
     InputError
         If an argument can't be used, or a strategy decides what it can't.
     """
-    check_game(team, disk)
-    limit = _longest_game(team, disk) if time_limit is None else time_limit
-    settings = Settings(sensing, update_time, seed, limit)
-    if isinstance(evaders, OpenLoop | IterativeOpenLoop) and isinstance(
-        pursuer, CommittedPursuer | FixedSequence
-    ):
-        return _play_compiled(team, disk, evaders, pursuer, settings)
-    return play(team, disk, evaders, pursuer, settings)
-
-
-def _play_compiled(
-    team: Team,
-    disk: PursuerDisk,
-    evaders: OpenLoop | IterativeOpenLoop,
-    pursuer: CommittedPursuer | FixedSequence,
-    settings: Settings,
-) -> Game:
-    n, policy = len(team), evaders.compiled()
-    margin, sequence, known = pursuer.commitment(n)
-    first = plan(team, disk, seed=settings.seed, starts=evaders.starts)
-    state = first_state(team, disk)
-    state.turns[:] = first.turns
-    noise = start_noise(settings.seed, policy.restarts, n)
-    captured, order, times, count, pages = game.play(
-        state,
-        settings.rules(disk),
-        policy,
-        noise,
-        columns_of(first),
-        margin,
-        sequence,
-        known,
-        True,
-        search_scratch(n),
-    )
+    settings = checked_settings(team, disk, sensing, update_time, seed, time_limit)
+    if not (team_is_built_in(evaders) and pursuer_is_built_in(pursuer)):
+        return play(team, disk, evaders, pursuer, settings)
+    played = play_compiled(team, disk, evaders, pursuer, settings, recorded=True)
     strategies: dict[str, Any] = {"evaders": evaders.describe(), "pursuer": pursuer.describe()}
-    captures = order[:captured], times[:captured]
-    return assemble(team, disk, settings, strategies, *captures, pages, count)
-
-
-def _longest_game(team: Team, disk: PursuerDisk) -> float:
-    """By when a pursuer that keeps to any one sequence has captured everybody.
-
-    An evader that is d away is captured within d / (v_p - v), and until then the next one gets no
-    farther away than what both can fly.
-    """
-    offsets = team.positions - disk.center
-    farthest = float(np.hypot(offsets[:, 0], offsets[:, 1]).max()) + disk.radius
-    fastest = float(team.speeds.max())
-    time = 0.0
-    for _ in range(len(team)):
-        gap = 2.0 * farthest + (disk.speed + fastest) * time
-        time += gap / (disk.speed - fastest)
-    return time if time > 0.0 else math.inf
+    return assemble(
+        team, disk, settings, strategies, played.order, played.times, played.pages, played.written
+    )

@@ -72,8 +72,9 @@ def _explaining_flight(disk: PursuerDisk, order: Ints, times: Floats, pages: Pag
     """
     places = np.empty((len(pages.times), 2))
     center, radius, since, row = disk.center, disk.radius, 0.0, 0
-    for i, time in zip(order, times, strict=True):
-        last = int(np.searchsorted(pages.times, time, side="right"))
+    living = (pages.critical >= 0).sum(axis=1)
+    for k, (i, time) in enumerate(zip(order, times, strict=True)):
+        last = int(np.argmax(living < living[0] - k)) + 1  # behind the row of this capture
         goal = pages.evaders[-1, i, :2]
         off = goal - center
         distance = float(np.hypot(*off))

@@ -23,6 +23,7 @@ from covey.simulation.strategy import (
     TeamPolicy,
     TeamStrategy,
     description,
+    policy_of,
 )
 
 
@@ -42,8 +43,8 @@ def play(
         that names somebody who isn't alive, a velocity above the pursuer's speed, or any velocity
         for a hidden pursuer.
     """
-    plan = evaders.start(settings.seed) if isinstance(evaders, TeamStrategy) else evaders
-    decide = pursuer.start(settings.seed) if isinstance(pursuer, PursuerStrategy) else pursuer
+    plan = policy_of("evaders", evaders, settings.seed)
+    decide = policy_of("pursuer", pursuer, settings.seed)
     rules, state = settings.rules(disk), first_state(team, disk)
     n = len(team)
     pages, page, scratch = blank_pages(256, n), 0, ascent_scratch(n)

@@ -53,12 +53,10 @@ def save_game(game: Game, path: str | os.PathLike[str]) -> None:
     OSError
         If the file can't be written; its `strerror` says why.
 
-    Examples
-    --------
-    The columns are for any reader of Parquet files:
-
-    >>> import pandas                                                    # doctest: +SKIP
-    >>> pandas.read_parquet("game.parquet").plot("evader_0_x", "evader_0_y")  # doctest: +SKIP
+    Notes
+    -----
+    Any reader of Parquet files finds the columns:
+    `pandas.read_parquet("game.parquet").plot("evader_0_x", "evader_0_y")` draws a path.
     """
     import pyarrow as pa
     import pyarrow.parquet as pq
@@ -114,6 +112,15 @@ def load_game(path: str | os.PathLike[str]) -> Game:
         raise InputError(f"{place}: {error}") from None
     except Exception as error:  # whatever a damaged file makes of its readers
         raise InputError(f"{place}: the record is damaged or cut off; simulate anew") from error
+
+
+def is_parquet(path: str | os.PathLike[str]) -> bool:
+    """Return whether there is a Parquet file, by its first bytes."""
+    try:
+        with Path(path).open("rb") as file:
+            return file.read(len(_PARQUET_BEGINS)) == _PARQUET_BEGINS
+    except OSError:
+        return False
 
 
 @contextmanager

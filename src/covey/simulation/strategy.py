@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, Protocol, runtime_checkable
+from typing import Any, Protocol
 
 import numpy.typing as npt
 
-from covey.model import PursuerDisk, Team
+from covey.model import InputError, PursuerDisk, Team
 from covey.model.checks import Floats
 
 
@@ -76,7 +76,6 @@ TeamPolicy = Callable[[Situation], npt.ArrayLike]
 PursuerPolicy = Callable[[Situation], Chase | Fly]
 
 
-@runtime_checkable
 class TeamStrategy(Protocol):
     """A strategy of the evaders."""
 
@@ -85,7 +84,6 @@ class TeamStrategy(Protocol):
         ...
 
 
-@runtime_checkable
 class PursuerStrategy(Protocol):
     """A strategy of the pursuer."""
 
@@ -101,3 +99,28 @@ def description(strategy: object) -> Mapping[str, Any]:
         described: Mapping[str, Any] = describe()
         return described
     return {"name": getattr(strategy, "__name__", type(strategy).__name__)}
+
+
+def policy_of(role: str, strategy: object, seed: int) -> Callable[[Situation], Any]:
+    """Return the policy that a strategy, or a plain function, follows in a game.
+
+    Raises
+    ------
+    InputError
+        If `strategy` is neither; `role` is the name of the argument that it came in.
+    """
+    start = getattr(strategy, "start", None)
+    if isinstance(strategy, type):
+        raise InputError(
+            f"{role}: expected a strategy, got the class {strategy.__name__}; "
+            f"make a value of it: {strategy.__name__}(...)"
+        )
+    if callable(start):
+        policy: Callable[[Situation], Any] = start(seed)
+        return policy
+    if callable(strategy):
+        return strategy
+    raise InputError(
+        f"{role}: expected a strategy (a value with a method start(seed)) or a function of a "
+        f"Situation, got {strategy!r}"
+    )

@@ -1,0 +1,59 @@
+"""`covey draw`: pictures and films of games and plans."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+from cyclopts import Parameter
+
+from covey.cli.arguments import Seed
+
+View = Literal["snapshots", "game", "plan", "animation"]
+
+
+def draw(
+    file: Annotated[
+        str,
+        Parameter(
+            name="FILE",
+            help="Record of a game, or a scenario, which is played first: its file, or the name "
+            "of one that comes with covey.",
+        ),
+    ],
+    /,
+    *,
+    output: Annotated[
+        Path,
+        Parameter(
+            name=["--output", "-o"],
+            help="Where to. The ending says how: .png, .svg or .pdf for a picture; .gif for a "
+            "film, or .mp4 with the extra `video` installed.",
+        ),
+    ],
+    view: Annotated[
+        View | None,
+        Parameter(
+            help="snapshots: four moments of the game. game: all paths and captures. plan: the "
+            "first plan, and the captures that it must expect. animation: a film. By default a "
+            "film if the output is one, else snapshots."
+        ),
+    ] = None,
+    record: Annotated[
+        Path | None,
+        Parameter(help="Save the record of the game that was played here, before it is drawn."),
+    ] = None,
+    seed: Seed = None,
+) -> None:
+    """Draw a game or a plan.
+
+    Try:
+
+        covey draw game.parquet --output game.png
+        covey draw fig3 --view plan --output plan.pdf
+        covey draw fig3 --record game.parquet --output game.gif
+    """
+    from covey.cli.drawing import draw_view
+    from covey.cli.sources import read_scenario_or_game
+
+    draw_view(read_scenario_or_game(file, seed), view, output, record)

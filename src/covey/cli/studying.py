@@ -1,0 +1,142 @@
+"""Studies on the screen: how far a run is, what came of it, what failed."""
+
+from __future__ import annotations
+
+import sys
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
+from rich.table import Table
+
+from covey.cli.outputs import print_saved
+from covey.model import InputError
+from covey.studies import (
+    Line,
+    Study,
+    StudyResult,
+    example_names,
+    example_path,
+    read_study,
+    run_study,
+    summary,
+)
+from covey.studies.moments import Estimate
+
+_HEADINGS = {"team_size": "team", "turn_rate": "turn rate", "update_time": "update time"}
+
+
+def study_path(name: str) -> Path:
+    """Return the file of a study, given by its path or by the name of one that comes with covey."""
+    path, examples = Path(name), example_names()
+    if path.exists():
+        return path
+    if name in examples:
+        return example_path(name)
+    close = get_close_matches(path.stem, examples, n=1)
+    advice = f'did you mean "{close[0]}"?' if close else f"with covey come {', '.join(examples)}"
+    raise InputError(f"{name}: no such file, and no study of that name; {advice}")
+
+
+def follow(
+    study: Study | Path, folder: Path, workers: int | None = None, dask: str | None = None
+) -> StudyResult:
+    """Run a study with a bar that shows how far it is, and for how long it will go on."""
+    chosen = study if isinstance(study, Study) else read_study(study)
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TextColumn("games"),
+        TimeElapsedColumn(),
+        TextColumn("left"),
+        TimeRemainingColumn(),
+    )
+    console = Console(stderr=True)
+    with Progress(
+        *columns, console=console, transient=True, disable=not console.is_terminal
+    ) as bar:
+        task = bar.add_task(folder.name, total=chosen.games, start=False)
+
+        def progress(done: int, total: int) -> None:
+            # What earlier runs have done says nothing about the speed of this one: the clock
+            # starts after it.
+            bar.update(task, completed=done, total=total)
+            bar.start_task(task)
+
+        return run_study(chosen, folder, workers=workers, dask=dask, progress=progress)
+
+
+def print_study(result: StudyResult) -> None:
+    """Print a line for each case, and what is missing."""
+    lines = summary(result)
+    console = Console(highlight=False)
+    table = Table(box=SIMPLE_HEAD, pad_edge=False)
+    settings = list(lines[0].settings)
+    stopped = any(line.stopped for line in lines)
+    for heading in (
+        *(_HEADINGS.get(name, name.replace("_", " ")) for name in settings),
+        "guaranteed",
+        "survival time",
+        "relative",
+        *(["stopped"] if stopped else []),
+    ):
+        table.add_column(heading, justify="right", no_wrap=True)
+    for line in lines:
+        table.add_row(*_row(line), *([str(line.stopped)] if stopped else []))
+    console.print(table)
+    console.print(
+        f"Means over {lines[0].starts} starts, ± 95 % confidence. Relative: mean over the mean of "
+        "the first line of the same team, from the same starts."
+    )
+    print_saved(result.folder)
+    for failure in result.failures:
+        print(f"covey: {failure}", file=sys.stderr)
+    if result.failures:
+        print("covey: run the study again to try the missing games anew", file=sys.stderr)
+
+
+def _row(line: Line) -> list[str]:
+    return [
+        *(f"{v:.4g}" if isinstance(v, float) else str(v) for v in line.settings.values()),
+        f"{line.guarantee:.4f}",
+        estimate(line.survival),
+        estimate(line.relative) if line.relative.error > 0.0 else f"{line.relative.value:.4f}",
+    ]
+
+
+def estimate(value: Estimate) -> str:
+    """Write a number with its uncertainty."""
+    return f"{value.value:.4f} ± {value.error:.4f}"
+
+
+def study_as_json(result: StudyResult) -> dict[str, Any]:
+    """Return the lines of a study for programs."""
+    return {
+        "folder": str(result.folder),
+        "games": result.manifest["games"],
+        "complete": result.is_complete,
+        "failures": list(result.failures),
+        "cases": [
+            {
+                "case": line.case,
+                **line.settings,
+                "starts": line.starts,
+                "stopped": line.stopped,
+                "guarantee": line.guarantee,
+                "survival_time": line.survival._asdict(),
+                "relative": line.relative._asdict(),
+            }
+            for line in summary(result)
+        ],
+    }

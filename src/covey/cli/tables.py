@@ -1,0 +1,127 @@
+"""What a person sees of a plan or a game: a few lines and a table."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.table import Table
+
+from covey.cli.report import captures
+from covey.planning import Plan
+from covey.scenarios import Scenario
+from covey.simulation import Game
+
+_MOST_SEQUENCES = 6
+
+
+def print_plan(scenario: Scenario, plan: Plan) -> None:
+    """Print the guaranteed survival time, where each evader heads, and how the search ended."""
+    console = _console()
+    facts = [
+        ("guaranteed survival time", number(plan.survival_time)),
+        *_sequences(plan.critical_sequences),
+        ("search", f"{plan.status} ({plan.starts} starts, {plan.steps} steps)"),
+    ]
+    console.print(_facts(facts))
+    table = _table("evader", "position", "turn (rad)", "(°)", "goal heading (rad)", "(°)")
+    for i, position in enumerate(points(scenario.team.positions.tolist())):
+        table.add_row(
+            str(i),
+            position,
+            *angle(float(plan.turns[i])),
+            *angle(float(plan.goal_headings[i])),
+        )
+    console.print(table)
+
+
+def print_game(game: Game) -> None:
+    """Print what was guaranteed, how long the team survived, and its captures."""
+    console = _console()
+    console.print(_facts(outcome(game)))
+    console.print(capture_table(game))
+
+
+def outcome(game: Game) -> list[tuple[str, str]]:
+    """Return the facts of a game, by their names."""
+    survived = number(game.survival_time)
+    if math.isinf(game.survival_time):
+        survived = f"more than {number(float(game.times[-1]))}: {game.status}"
+    elif game.guarantee > 0.0:
+        survived += f"  ({game.survival_time / game.guarantee:.3g} times the guarantee)"
+    return [
+        ("pursuer", f"{game.sensing}, {_strategy(game, 'pursuer')}"),
+        ("evaders", f"{len(game.team)}, {_strategy(game, 'evaders')}"),
+        ("guaranteed survival time", number(game.guarantee)),
+        ("survival time", survived),
+    ]
+
+
+def capture_table(game: Game) -> Table:
+    """Return the captures in their order: who, when, where."""
+    table = _table("capture", "evader", "time", "place")
+    caught = captures(game)
+    times = aligned([capture.time for capture in caught], 6)
+    places = points([capture.place for capture in caught])
+    for k, (capture, time, place) in enumerate(zip(caught, times, places, strict=True), start=1):
+        table.add_row(str(k), str(capture.evader), time, place)
+    return table
+
+
+def number(value: float) -> str:
+    """Write a number as a person reads it; `--json` has all digits."""
+    return f"{value:.6g}"
+
+
+def angle(radians: float) -> tuple[str, str]:
+    """Write an angle in radians and in degrees."""
+    return f"{radians:+.4f}", f"{math.degrees(radians):+.1f}"
+
+
+def aligned(values: Sequence[float], digits: int) -> list[str]:
+    """Write numbers with the same decimals, which give the largest one `digits` digits."""
+    largest = max((abs(value) for value in values), default=0.0)
+    before_point = math.floor(math.log10(largest)) + 1 if largest > 0.0 else 1
+    decimals = max(0, digits - before_point)
+    return [f"{value:.{decimals}f}" for value in values]
+
+
+def points(places: Sequence[Sequence[float]]) -> list[str]:
+    """Write points, x under x and y under y."""
+    columns = [aligned([place[axis] for place in places], 4) for axis in (0, 1)]
+    widths = [max((len(text) for text in column), default=0) for column in columns]
+    return [f"({x:>{widths[0]}}, {y:>{widths[1]}})" for x, y in zip(*columns, strict=True)]
+
+
+def _sequences(sequences: tuple[tuple[int, ...], ...]) -> list[tuple[str, str]]:
+    shown = [" ".join(map(str, sequence)) for sequence in sequences[:_MOST_SEQUENCES]]
+    if len(sequences) > _MOST_SEQUENCES:
+        shown.append(f"and {len(sequences) - _MOST_SEQUENCES} more")
+    return [("" if k else "critical sequences", text) for k, text in enumerate(shown)]
+
+
+def _strategy(game: Game, side: str) -> str:
+    strategy = dict(game.strategies[side])
+    name = str(strategy.pop("name"))
+    parameters = ", ".join(f"{key} {value}" for key, value in strategy.items())
+    return f"{name} ({parameters})" if parameters else name
+
+
+def _facts(facts: Iterable[tuple[str, str]]) -> Table:
+    table = Table.grid(padding=(0, 2))
+    for name, value in facts:
+        table.add_row(name, value)
+    return table
+
+
+def _table(*columns: str) -> Table:
+    table = Table(box=SIMPLE_HEAD, pad_edge=False)
+    for column in columns:
+        table.add_column(column, justify="right", no_wrap=True)
+    return table
+
+
+def _console() -> Console:
+    return Console(highlight=False)

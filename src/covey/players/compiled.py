@@ -1,0 +1,103 @@
+"""Games of the strategies that come with the package, played compiled from end to end."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple, TypeGuard
+
+import numpy as np
+
+from covey.kernels import game
+from covey.kernels.search import search_scratch
+from covey.model import PursuerDisk, Team
+from covey.model.checks import Floats, Ints
+from covey.planning import plan
+from covey.planning.guarantee import check_game
+from covey.planning.open_loop import columns_of, start_noise
+from covey.players.evaders import IterativeOpenLoop, OpenLoop
+from covey.players.pursuers import CommittedPursuer, FixedSequence
+from covey.simulation import Settings
+from covey.simulation.settings import first_state
+
+BuiltInTeam = OpenLoop | IterativeOpenLoop
+BuiltInPursuer = CommittedPursuer | FixedSequence
+
+
+class Played(NamedTuple):
+    """What comes out of a compiled game."""
+
+    guarantee: float  # of the first plan
+    order: Ints  # (C,) the captured
+    times: Floats  # (C,)
+    pages: game.Pages
+    written: int  # pages; none unless the game was recorded
+
+
+def team_is_built_in(evaders: object) -> TypeGuard[BuiltInTeam]:
+    """Return whether a team's strategy can play compiled."""
+    return isinstance(evaders, BuiltInTeam)
+
+
+def pursuer_is_built_in(pursuer: object) -> TypeGuard[BuiltInPursuer]:
+    """Return whether a pursuer's strategy can play compiled."""
+    return isinstance(pursuer, BuiltInPursuer)
+
+
+def checked_settings(
+    team: Team,
+    disk: PursuerDisk,
+    sensing: str,
+    update_time: float,
+    seed: int,
+    time_limit: float | None,
+) -> Settings:
+    """Return the settings of a game; raise InputError if it can't be played."""
+    check_game(team, disk)
+    limit = _longest_game(team, disk) if time_limit is None else time_limit
+    return Settings(sensing, update_time, seed, limit)
+
+
+def play_compiled(
+    team: Team,
+    disk: PursuerDisk,
+    evaders: BuiltInTeam,
+    pursuer: BuiltInPursuer,
+    settings: Settings,
+    *,
+    recorded: bool,
+) -> Played:
+    """Play a game; with `recorded`, write a page at every decision."""
+    n, policy = len(team), evaders.compiled()
+    margin, sequence, known = pursuer.commitment(n)
+    first = plan(team, disk, seed=settings.seed, starts=evaders.starts)
+    state = first_state(team, disk)
+    state.turns[:] = first.turns
+    captured, order, times, count, pages = game.play(
+        state,
+        settings.rules(disk),
+        policy,
+        start_noise(settings.seed, policy.restarts, n),
+        columns_of(first),
+        margin,
+        sequence,
+        known,
+        recorded,
+        search_scratch(n),
+    )
+    return Played(first.survival_time, order[:captured], times[:captured], pages, count)
+
+
+def _longest_game(team: Team, disk: PursuerDisk) -> float:
+    """By when a pursuer that keeps to any one sequence has captured everybody.
+
+    An evader that is d away is captured within d / (v_p - v), and until then the next one gets no
+    farther away than what both can fly.
+    """
+    offsets = team.positions - disk.center
+    farthest = float(np.hypot(offsets[:, 0], offsets[:, 1]).max()) + disk.radius
+    fastest = float(team.speeds.max())
+    time = 0.0
+    for _ in range(len(team)):
+        gap = 2.0 * farthest + (disk.speed + fastest) * time
+        time += gap / (disk.speed - fastest)
+    return time if time > 0.0 else math.inf

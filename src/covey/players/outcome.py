@@ -1,0 +1,81 @@
+"""What came of a game, without its record: what studies of many games need."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from covey.model import PursuerDisk, Team
+from covey.model.checks import Floats, Ints
+from covey.players.compiled import (
+    checked_settings,
+    play_compiled,
+    pursuer_is_built_in,
+    team_is_built_in,
+)
+from covey.players.evaders import IterativeOpenLoop
+from covey.players.pursuers import CommittedPursuer
+from covey.simulation import (
+    Game,
+    PursuerPolicy,
+    PursuerStrategy,
+    TeamPolicy,
+    TeamStrategy,
+    play,
+)
+
+
+class Outcome(NamedTuple):
+    """What came of a game.
+
+    Attributes
+    ----------
+    guarantee : float
+        Survival time that the first plan guaranteed.
+    survival_time : float
+        Time of the last capture; inf if the game was stopped before it.
+    capture_sequence, capture_times : numpy.ndarray
+        (C,) evaders in the order of their capture, and when.
+    """
+
+    guarantee: float
+    survival_time: float
+    capture_sequence: Ints
+    capture_times: Floats
+
+
+def outcome_of(game: Game) -> Outcome:
+    """Return the outcome that a record tells of."""
+    return Outcome(game.guarantee, game.survival_time, game.capture_sequence, game.capture_times)
+
+
+def survival(
+    team: Team,
+    disk: PursuerDisk,
+    *,
+    evaders: TeamStrategy | TeamPolicy = IterativeOpenLoop(),  # noqa: B008 frozen
+    pursuer: PursuerStrategy | PursuerPolicy = CommittedPursuer(),  # noqa: B008 frozen
+    sensing: str = "hidden",
+    update_time: float = 0.01,
+    seed: int = 0,
+    time_limit: float | None = None,
+) -> Outcome:
+    """Play the game that `simulate` plays, to the last bit, and keep no record of its course.
+
+    Parameters
+    ----------
+    team, disk, evaders, pursuer, sensing, update_time, seed, time_limit
+        See `simulate`.
+
+    Returns
+    -------
+    Outcome
+        Of strategies that come with the package, a fifth sooner than `simulate` does.
+    """
+    settings = checked_settings(team, disk, sensing, update_time, seed, time_limit)
+    if not (team_is_built_in(evaders) and pursuer_is_built_in(pursuer)):
+        return outcome_of(play(team, disk, evaders, pursuer, settings))
+    played = play_compiled(team, disk, evaders, pursuer, settings, recorded=False)
+    ended = len(played.times) == len(team)
+    time = float(played.times[-1]) if ended else math.inf
+    return Outcome(played.guarantee, time, played.order, played.times)

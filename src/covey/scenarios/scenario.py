@@ -1,0 +1,63 @@
+"""A game as a file describes it: who is where, how it is played, and by which strategies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from covey.model import PursuerDisk, Team
+from covey.planning import Plan, plan
+from covey.players import (
+    CommittedPursuer,
+    FixedSequence,
+    IterativeOpenLoop,
+    OpenLoop,
+    simulate,
+)
+from covey.simulation import Game
+
+
+@dataclass(frozen=True, eq=False)
+class Scenario:
+    """All that `plan` and `simulate` need.
+
+    Attributes
+    ----------
+    team, disk : Team, PursuerDisk
+        The state at time 0.
+    evaders, pursuer
+        Strategies.
+    sensing : str
+        "hidden" or "visible".
+    update_time : float
+        Δt between updates.
+    seed : int
+        Seed of the searches for plans.
+    time_limit : float or None
+        When a game is stopped; see `simulate`.
+    """
+
+    team: Team
+    disk: PursuerDisk
+    evaders: OpenLoop | IterativeOpenLoop
+    pursuer: CommittedPursuer | FixedSequence
+    sensing: str
+    update_time: float
+    seed: int
+    time_limit: float | None
+
+    def plan(self) -> Plan:
+        """Return the plan with which the game begins."""
+        return plan(self.team, self.disk, seed=self.seed, starts=self.evaders.starts)
+
+    def simulate(self) -> Game:
+        """Play the game and return its record."""
+        return simulate(
+            self.team,
+            self.disk,
+            evaders=self.evaders,
+            pursuer=self.pursuer,
+            sensing=self.sensing,
+            update_time=self.update_time,
+            seed=self.seed,
+            time_limit=self.time_limit,
+        )

@@ -1,0 +1,105 @@
+"""Strategies by their name in a file: `strategy = "committed"`, or a table with its parameters."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import MISSING, dataclass, fields
+from typing import Any
+
+from covey.players import CommittedPursuer, FixedSequence, IterativeOpenLoop, OpenLoop
+from covey.scenarios.mistakes import (
+    Mistake,
+    Place,
+    did_you_mean,
+    toml_text,
+    unknown_key,
+    wanted_but_got,
+)
+from covey.scenarios.values import Wanted, as_not_negative, as_whole
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A strategy, and the kind of value that each of its parameters is."""
+
+    make: Callable[..., Any]
+    parameters: Mapping[str, Wanted]
+
+
+def _starts(value: object) -> int | None:
+    return as_whole(value) or None
+
+
+def _margin(value: object) -> float | None:
+    return math.inf if value == math.inf else as_not_negative(value)
+
+
+def _sequence(value: object) -> list[int] | None:
+    if isinstance(value, list) and all(as_whole(i) is not None for i in value):
+        return value
+    return None
+
+
+_STARTS = Wanted("a whole number >= 1", _starts)
+
+EVADERS = {
+    "open-loop": Entry(OpenLoop, {"starts": _STARTS}),
+    "iterative-open-loop": Entry(
+        IterativeOpenLoop,
+        {"starts": _STARTS, "restarts": Wanted("a whole number >= 0", as_whole)},
+    ),
+}
+
+PURSUERS = {
+    "committed": Entry(
+        CommittedPursuer, {"margin": Wanted("a number >= 0 (inf is allowed)", _margin)}
+    ),
+    "fixed-sequence": Entry(
+        FixedSequence, {"sequence": Wanted("a list of evaders' numbers", _sequence)}
+    ),
+}
+
+
+def strategy_mistakes(place: Place, value: object, known: Mapping[str, Entry]) -> Iterator[Mistake]:
+    """Find all mistakes of a strategy, given as its name or as a table with its name."""
+    if not isinstance(value, str | dict):
+        wanted = "the name of a strategy, or a table with its name and parameters"
+        yield Mistake(place, wanted_but_got(wanted, value))
+        return
+    name, given = name_and_parameters(value)
+    if not isinstance(name, str) or name not in known:
+        where = (*place, "name") if isinstance(value, dict) else place
+        wanted = "one of " + ", ".join(f'"{each}"' for each in known)
+        came = "nothing" if name is None else toml_text(name)
+        yield Mistake(where, f"expected {wanted}, got {came}{did_you_mean(name, known)}")
+        return
+    yield from _parameter_mistakes(place, known[name], given)
+
+
+def _parameter_mistakes(
+    place: Place, entry: Entry, given: Mapping[str, object]
+) -> Iterator[Mistake]:
+    for key, value in given.items():
+        wanted = entry.parameters.get(key)
+        if wanted is None:
+            yield unknown_key((*place, key), ["name", *entry.parameters])
+        elif wanted.read(value) is None:
+            yield Mistake((*place, key), wanted_but_got(wanted.words, value))
+    for field in fields(entry.make):  # type: ignore[arg-type]
+        if field.default is MISSING and field.name not in given:
+            wanted = entry.parameters[field.name]
+            yield Mistake((*place, field.name), f"missing; expected {wanted.words}")
+
+
+def name_and_parameters(value: str | dict[str, Any]) -> tuple[object, dict[str, Any]]:
+    """Split a strategy as it stands in the file."""
+    if isinstance(value, str):
+        return value, {}
+    return value.get("name"), {key: each for key, each in value.items() if key != "name"}
+
+
+def make_strategy(value: str | dict[str, Any], known: Mapping[str, Entry]) -> Any:
+    """Make the strategy of a file without mistakes."""
+    name, given = name_and_parameters(value)
+    return known[str(name)].make(**given)

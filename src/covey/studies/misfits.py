@@ -1,0 +1,48 @@
+"""What must fit together in a study, beyond the single values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from covey.players import FixedSequence
+from covey.scenarios.mistakes import Mistake
+from covey.studies.startfile import FromFile
+
+
+def misfits(values: Mapping[str, Any]) -> Iterator[Mistake]:
+    """Find what doesn't fit together, among values that are right by themselves."""
+    fastest, slowest = max(values["speed"]), min(values["pursuer_speed"])
+    if fastest >= slowest:
+        text = (
+            f"expected every evader to be slower than every pursuer ({slowest:g}), or it could "
+            f"flee for ever; got {fastest:g}"
+        )
+        yield Mistake(("speed",), text)
+    yield from _sequences(values)
+    yield from _files(values)
+
+
+def _sequences(values: Mapping[str, Any]) -> Iterator[Mistake]:
+    for index, pursuer in enumerate(values["pursuer"]):
+        if isinstance(pursuer, FixedSequence):
+            for size in values["team_size"]:
+                if len(pursuer.sequence) != size:
+                    text = (
+                        f"expected a sequence of all {size} evaders of a team, got "
+                        f"{list(pursuer.sequence)}; a study of several team sizes has no common one"
+                    )
+                    yield Mistake(("pursuer", index, "sequence"), text)
+
+
+def _files(values: Mapping[str, Any]) -> Iterator[Mistake]:
+    sampler = values["sampler"]
+    if not isinstance(sampler, FromFile):
+        return
+    if len(sampler.all) < values["starts"]:
+        text = f"expected at most {len(sampler.all)}, as many as {sampler.path} has"
+        yield Mistake(("starts",), f"{text}, got {values['starts']}")
+    largest = max(values["team_size"])
+    if sampler.all.smallest_team < largest:
+        text = f"expected at most {sampler.all.smallest_team}, the evaders of the smallest start in"
+        yield Mistake(("team_size",), f"{text} {sampler.path}, got {largest}")

@@ -1,0 +1,47 @@
+"""The pursuer of Fig. 4, whose hidden game follows the order of its visible one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from covey.players import CommittedPursuer, FixedSequence, Outcome
+
+
+@dataclass(frozen=True)
+class AsVisible:
+    """While it is visible, a committed pursuer; hidden, it repeats the order of its visible game.
+
+    "The capture sequence taken by the hidden pursuer is set to be the same as that of the visible
+    pursuer" (section V.B of the paper): the visible game of the same start and the same settings,
+    which is played for this even where the study doesn't ask for it.
+
+    Parameters
+    ----------
+    margin
+        Of the committed pursuer; see `covey.CommittedPursuer`.
+    """
+
+    margin: float = 0.01
+
+    def __post_init__(self) -> None:
+        """Check the field."""
+        self.visible()
+
+    def visible(self) -> CommittedPursuer:
+        """Return the pursuer of the visible game."""
+        return CommittedPursuer(self.margin)
+
+    def hidden(self, visible: Outcome, count: int) -> FixedSequence:
+        """Return the pursuer of the hidden game.
+
+        Evaders that the visible one had not captured when it was stopped come last, by number.
+        """
+        captured = visible.capture_sequence.tolist()
+        rest = [i for i in range(count) if i not in captured]
+        return FixedSequence([*captured, *rest])
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return name and parameters, as a study file gives them."""
+        return {"name": "as-visible", "margin": self.margin}

@@ -1,0 +1,180 @@
+"""What the commands print and write."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import matplotlib.image
+import pytest
+
+import covey
+from covey import views
+from covey.cli import main
+from covey.scenarios import example_path, load_scenario
+
+THREE = """
+[pursuer]
+strategy = { name = "fixed-sequence", sequence = [2, 0, 1] }
+[team.random]
+count = 3
+[game]
+update_time = 0.1
+seed = 4
+"""
+
+
+@pytest.fixture
+def scenario(tmp_path, monkeypatch):
+    """A small scenario in an empty working folder."""
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "three.toml"
+    path.write_text(THREE)
+    return load_scenario(path)
+
+
+@pytest.fixture
+def record(scenario):
+    game = scenario.simulate()
+    covey.save_game(game, "game.parquet")
+    return game
+
+
+def printed(capsys, *arguments):
+    """What a command that succeeds prints to the standard output."""
+    assert main(arguments) == 0
+    return capsys.readouterr().out
+
+
+def test_plan_prints_guarantee_headings_sequences_and_how_the_search_ended(scenario, capsys):
+    plan, text = scenario.plan(), printed(capsys, "plan", "three.toml")
+    assert f"guaranteed survival time  {plan.survival_time:.6g}" in text
+    assert " ".join(map(str, plan.critical_sequences[0])) in text
+    assert f"{plan.goal_headings[1]:+.4f}" in text
+    assert f"{math.degrees(plan.goal_headings[1]):+.1f}" in text
+    assert str(plan.status) in " ".join(text.split())
+
+
+def test_plan_prints_json_to_the_last_digit(scenario, capsys):
+    plan, told = scenario.plan(), json.loads(printed(capsys, "plan", "three.toml", "--json"))
+    assert told["survival_time"] == plan.survival_time
+    assert told["goal_headings"] == plan.goal_headings.tolist()
+    assert told["turns"] == plan.turns.tolist()
+    assert told["critical_sequences"] == [list(each) for each in plan.critical_sequences]
+    assert told["status"] == plan.status
+
+
+def test_simulate_prints_guarantee_survival_time_and_captures(record, capsys):
+    text = printed(capsys, "simulate", "three.toml")
+    assert f"guaranteed survival time  {record.guarantee:.6g}" in text
+    assert f"survival time             {record.survival_time:.6g}" in text
+    rows = [line.split()[:3] for line in text.splitlines() if line.strip()[:1] in list("123")]
+    times = [f"{time:.5f}" for time in record.capture_times]
+    assert rows == [["1", "2", times[0]], ["2", "0", times[1]], ["3", "1", times[2]]]
+
+
+def test_simulate_prints_json_to_the_last_digit(record, capsys):
+    told = json.loads(printed(capsys, "simulate", "three.toml", "--json"))
+    assert told["survival_time"] == record.survival_time
+    assert told["guarantee"] == record.guarantee
+    assert [each["evader"] for each in told["captures"]] == [2, 0, 1]
+    assert [each["time"] for each in told["captures"]] == record.capture_times.tolist()
+    assert told["captures"][0]["place"] == record.evader_positions[-1, 2].tolist()
+    assert told["strategies"]["pursuer"] == {"name": "fixed-sequence", "sequence": [2, 0, 1]}
+
+
+def test_json_has_null_for_infinity(scenario, tmp_path, capsys):
+    text = THREE.replace("seed", "time_limit = 0.2\nseed")
+    text = text.replace("fixed-sequence", "committed").replace("sequence = [2, 0, 1]", "margin=inf")
+    (tmp_path / "short.toml").write_text(text)
+    told = json.loads(
+        printed(capsys, "simulate", "short.toml", "--json"),
+        parse_constant=lambda name: pytest.fail(f"{name} is no JSON"),
+    )
+    assert told["survival_time"] is None
+    assert told["strategies"]["pursuer"]["margin"] is None
+    assert told["captures"] == []
+
+
+def test_a_game_that_is_stopped_says_so(scenario, tmp_path, capsys):
+    (tmp_path / "short.toml").write_text(THREE.replace("seed", "time_limit = 0.2\nseed"))
+    text = " ".join(printed(capsys, "simulate", "short.toml").split())
+    assert f"survival time more than 0.2: {covey.GameStatus.TIME_LIMIT}" in text
+
+
+def test_simulate_saves_the_record_where_asked(record, capsys):
+    assert main(["simulate", "three.toml", "--output", "new/game.parquet"]) == 0
+    assert capsys.readouterr().err == "saved new/game.parquet\n"
+    assert covey.load_game("new/game.parquet").survival_time == record.survival_time
+
+
+def test_the_seed_replaces_that_of_the_file(scenario, capsys):
+    with_seed = load_scenario("three.toml", seed=9)
+    told = json.loads(printed(capsys, "plan", "three.toml", "--json", "--seed", "9"))
+    assert told["seed"] == 9
+    assert told["survival_time"] == with_seed.plan().survival_time
+    assert told["survival_time"] != scenario.plan().survival_time
+
+
+def test_an_example_is_found_by_its_name(scenario, capsys):
+    by_name = printed(capsys, "plan", "unequal", "--json")
+    assert by_name == printed(capsys, "plan", str(example_path("unequal")), "--json")
+
+
+def test_a_file_comes_before_an_example_of_its_name(scenario, tmp_path, capsys):
+    (tmp_path / "unequal").write_text(THREE)
+    of_file = printed(capsys, "plan", "unequal", "--json")
+    assert of_file == printed(capsys, "plan", "three.toml", "--json")
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["game.parquet", "-o", "picture.png"],
+        ["game.parquet", "-o", "folder/picture.png", "--view", "game"],
+        ["three.toml", "-o", "picture.PNG", "--view", "plan"],
+    ],
+)
+def test_draw_saves_a_picture(record, arguments, capsys):
+    assert main(["draw", *arguments]) == 0
+    assert capsys.readouterr().err.endswith(f"saved {arguments[2]}\n")
+    assert matplotlib.image.imread(arguments[2], format="png").std() > 0.01
+
+
+def few_frames(monkeypatch, animate=views.animate):
+    def quick(game, path, progress):
+        return animate(game, path, seconds=0.2, progress=progress)
+
+    monkeypatch.setattr(views, "animate", quick, raising=False)
+
+
+def test_draw_saves_a_film(record, tmp_path, monkeypatch):
+    few_frames(monkeypatch)
+    assert main(["draw", "game.parquet", "-o", "film.gif"]) == 0
+    assert (tmp_path / "film.gif").read_bytes().startswith(b"GIF89a")
+
+
+def test_a_game_that_was_played_is_not_lost_when_its_picture_is(
+    scenario, tmp_path, monkeypatch, capsys
+):
+    def full(figure, path):
+        raise OSError(28, "No space left on device", str(path))
+
+    monkeypatch.setattr(views, "save", full, raising=False)
+    arguments = ["draw", "three.toml", "-o", "picture.png", "--record", "game.parquet"]
+    assert main(arguments) == 2
+    assert capsys.readouterr().err == (
+        "saved game.parquet\ncovey: picture.png: No space left on device\n"
+    )
+    assert covey.load_game("game.parquet").capture_sequence.tolist() == [2, 0, 1]
+
+
+def test_results_are_printed_before_the_record_is_saved(scenario, monkeypatch, capsys):
+    def full(game, path):
+        raise OSError(28, "No space left on device", str(path))
+
+    monkeypatch.setattr("covey.simulation.save_game", full)
+    assert main(["simulate", "three.toml", "-o", "game.parquet"]) == 2
+    output = capsys.readouterr()
+    assert "guaranteed survival time" in output.out
+    assert output.err == "covey: game.parquet: No space left on device\n"

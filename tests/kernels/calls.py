@@ -1,0 +1,102 @@
+"""The kernels, called with teams and disks: the one place where tests know their arguments."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import numpy as np
+
+from covey.kernels.definite import factorise, make_positive
+from covey.kernels.path import PATH, position, set_paths, velocity
+from covey.kernels.quadratic import quadratic_scratch, solve_quadratic
+from covey.kernels.sequence import CAPTURE, add_curvature, capture_times, differentiate
+from covey.kernels.subsets import least_time, subset_scratch
+from covey.planning.guarantee import pursuit_of
+
+
+def paths_of(team, turns, pursuer_speed=1.0):
+    """The paths (eq. 5) as the kernels read them."""
+    paths = np.empty((len(team), PATH))
+    set_paths(team.as_rows(), np.asarray(turns, dtype=float), pursuer_speed, paths)
+    return paths
+
+
+def place(team, turns, i, time):
+    """Position of evader i, (2,)."""
+    return np.array(position(paths_of(team, turns), i, float(time)))
+
+
+def motion(team, turns, i, time):
+    """Velocity of evader i, (2,)."""
+    return np.array(velocity(paths_of(team, turns), i, float(time)))
+
+
+_scratch = cache(subset_scratch)  # used again and again, as in a search
+
+
+def least(team, disk, turns, bound=math.inf, sequence=None):
+    """The least time below `bound`, else `bound`; the `sequence` that needs it, else as given."""
+    n = len(team)
+    found = np.zeros(n, np.int64) if sequence is None else np.array(sequence, np.int64)
+    paths = paths_of(team, turns, disk.speed)
+    time, _ = least_time(paths, n, pursuit_of(disk), bound, found, _scratch(n))
+    return time, found
+
+
+def times_of_sequences(team, disk, sequences):
+    """A function of the turns, (M,) times of the last capture for M given sequences: quick f_s."""
+    orders = [np.array(sequence, np.int64) for sequence in sequences]
+    pursuit, times = pursuit_of(disk), np.empty(len(team))
+
+    def values(turns):
+        paths = paths_of(team, turns, disk.speed)
+        return np.array([capture_times(paths, pursuit, order, times) for order in orders])
+
+    return values
+
+
+def derivatives(team, disk, turns, sequence):
+    """Gradient (N,) and Hessian (N, N) of the last capture time by the turns."""
+    n = len(team)
+    paths, pursuit = paths_of(team, turns, disk.speed), pursuit_of(disk)
+    order = np.array(sequence, np.int64)
+    times, captures, gradient = np.empty(n), np.empty((n, CAPTURE)), np.empty(n)
+    lower = np.zeros((n, n))
+    capture_times(paths, pursuit, order, times)
+    differentiate(paths, pursuit, order, times, captures, gradient)
+    add_curvature(paths, pursuit, order, times, captures, 1.0, np.empty((3, n)), lower)
+    return gradient, np.tril(lower) + np.tril(lower, -1).T
+
+
+def factor_of(matrix):
+    """The Cholesky factor (N, N) of a symmetric matrix, or None if it isn't positive definite."""
+    factor = np.zeros_like(matrix)
+    return factor if factorise(np.tril(matrix), len(matrix), factor) else None
+
+
+def made_positive(matrix):
+    """The positive definite matrix (N, N) that takes the place of a symmetric one."""
+    n, lower = len(matrix), np.tril(matrix)
+    make_positive(lower, n, np.empty((n, n)), np.empty(n))
+    return np.tril(lower) + np.tril(lower, -1).T
+
+
+def best_step(values, gradients, factor, pull, low, high):
+    """What `solve_quadratic` finds: z, the step (N,) and the weights (M,)."""
+    m, n = gradients.shape
+    step, weights = np.empty(n), np.empty(m)
+    least = solve_quadratic(
+        n,
+        m,
+        np.asarray(values, dtype=float),
+        np.ascontiguousarray(gradients),
+        np.ascontiguousarray(factor),
+        np.asarray(pull, dtype=float),
+        np.asarray(low, dtype=float),
+        np.asarray(high, dtype=float),
+        step,
+        weights,
+        quadratic_scratch(n, m),
+    )
+    return least, step, weights

@@ -1,0 +1,47 @@
+"""The pursuer's disk: defaults, copies, and who is too fast for it."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+import covey
+
+
+def test_defaults_are_a_known_pursuer_at_the_origin():
+    disk = covey.PursuerDisk()
+    assert disk.center.tolist() == [0.0, 0.0]
+    assert (disk.radius, disk.speed, disk.capture_radius) == (0.0, 1.0, 0.0)
+
+
+def test_numbers_become_floats():
+    disk = covey.PursuerDisk([1, 2], np.float32(3), np.int64(4), 5)
+    assert disk.center.tolist() == [1.0, 2.0]
+    assert all(type(x) is float for x in (disk.radius, disk.speed, disk.capture_radius))
+
+
+def test_nothing_about_it_can_be_changed():
+    center = np.zeros(2)
+    disk = covey.PursuerDisk(center)
+    center[:] = 7.0
+    assert disk.center.tolist() == [0.0, 0.0]
+    with pytest.raises(ValueError, match="read-only"):
+        disk.center[0] = 1.0
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        disk.radius = 1.0
+
+
+@pytest.mark.parametrize("speed", [0.0, 0.5, np.nextafter(2.0, 0.0)])
+def test_slower_evaders_are_fine(speed):
+    covey.PursuerDisk(speed=2.0).require_faster_than(covey.Team([(0, 0)], [0], speed))
+
+
+@pytest.mark.parametrize("speed", [2.0, 3.0])
+def test_an_evader_as_fast_as_the_pursuer_is_named(speed):
+    team = covey.Team(np.zeros((3, 2)), np.zeros(3), [0.1, speed, 0.1])
+    with pytest.raises(
+        covey.InputError, match=rf"speeds: .*slower.*\(2\), got speeds\[1\] = {speed:g}"
+    ):
+        covey.PursuerDisk(speed=2.0).require_faster_than(team)

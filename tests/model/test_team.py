@@ -1,0 +1,66 @@
+"""A team is what it was made of: broadcast, copied, read-only."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+
+import covey
+
+
+def test_defaults_are_those_of_the_paper():
+    team = covey.Team([(0, 1), (2, 3)], [0, 1])
+    assert team.speeds.tolist() == [0.25, 0.25]
+    assert team.turn_rates.tolist() == [math.pi / 2, math.pi / 2]
+
+
+def test_lists_and_integers_become_arrays_of_floats():
+    team = covey.Team([(0, 1), (2, 3)], [0, 1], [1, 2], 3)
+    for array in (team.positions, team.headings, team.speeds, team.turn_rates):
+        assert array.dtype == np.float64
+    assert team.positions.tolist() == [[0.0, 1.0], [2.0, 3.0]]
+    assert team.headings.tolist() == [0.0, 1.0]
+    assert team.speeds.tolist() == [1.0, 2.0]
+    assert team.turn_rates.tolist() == [3.0, 3.0]
+
+
+@pytest.mark.parametrize("rate", [0.5, [0.5], [0.5, 0.5, 0.5], np.float32(0.5)])
+def test_one_number_stands_for_all(rate):
+    team = covey.Team(np.zeros((3, 2)), np.zeros(3), rate, rate)
+    assert team.speeds.tolist() == team.turn_rates.tolist() == [0.5] * 3
+
+
+def test_length_is_the_number_of_evaders():
+    assert len(covey.Team(np.zeros((5, 2)), np.zeros(5))) == 5
+
+
+def test_later_changes_of_what_it_was_made_of_do_not_reach_it():
+    positions, headings, speeds = np.zeros((2, 2)), np.zeros(2), np.full(2, 0.1)
+    team = covey.Team(positions, headings, speeds)
+    positions[:], headings[:], speeds[:] = 7.0, 7.0, 7.0
+    assert not team.positions.any()
+    assert not team.headings.any()
+    assert team.speeds.tolist() == [0.1, 0.1]
+
+
+@pytest.mark.parametrize("name", ["positions", "headings", "speeds", "turn_rates"])
+def test_nothing_about_it_can_be_changed(name):
+    team = covey.Team(np.zeros((2, 2)), np.zeros(2))
+    with pytest.raises(ValueError, match="read-only"):
+        getattr(team, name)[0] = 1.0
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        setattr(team, name, np.ones(2))
+
+
+def test_rows_hold_place_heading_speed_and_turn_rate():
+    team = covey.Team([(1, 2), (3, 4)], [5, 6], [0.7, 0.8], [9, math.inf])
+    assert team.as_rows().tolist() == [[1, 2, 5, 0.7, 9], [3, 4, 6, 0.8, math.inf]]
+
+
+def test_rows_are_a_copy():
+    team = covey.Team([(1, 2)], [3])
+    team.as_rows()[:] = 0.0
+    assert team.positions.tolist() == [[1.0, 2.0]]

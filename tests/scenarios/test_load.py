@@ -1,0 +1,124 @@
+"""What a scenario file means: its defaults, what overrides what, teams placed at random."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import covey
+from covey.scenarios import load_scenario
+from covey.scenarios.strategies import EVADERS, PURSUERS, make_strategy
+from scenarios.files import ONE_EVADER, loaded
+
+
+def test_one_position_is_a_scenario(tmp_path):
+    scenario = loaded(tmp_path, ONE_EVADER)
+    assert scenario.team.positions.tolist() == [[0.3, 0.4]]
+    assert scenario.team.headings.tolist() == [math.atan2(0.4, 0.3)]
+    assert scenario.team.speeds.tolist() == [0.25]
+    assert scenario.team.turn_rates.tolist() == [math.pi / 2]
+    assert scenario.disk.center.tolist() == [0.0, 0.0]
+    assert (scenario.disk.radius, scenario.disk.speed, scenario.disk.capture_radius) == (0, 1, 0)
+    assert (scenario.sensing, scenario.update_time) == ("hidden", 0.01)
+    assert (scenario.seed, scenario.time_limit) == (0, None)
+    assert scenario.evaders == covey.IterativeOpenLoop()
+    assert scenario.pursuer == covey.CommittedPursuer()
+
+
+def test_everything_can_be_said(tmp_path):
+    scenario = loaded(
+        tmp_path,
+        """
+        [pursuer]
+        center = [1, 2]
+        radius = 0.5
+        speed = 2
+        capture_radius = 0.1
+        strategy = { name = "fixed-sequence", sequence = [1, 0] }
+        [team]
+        speed = 0.5
+        turn_rate = "90 deg"
+        headings = "pi"
+        strategy = { name = "open-loop", starts = 4 }
+        evaders = [
+            { position = [3, 4] },
+            { position = [5, 6], heading = "away", speed = 0, turn_rate = inf },
+        ]
+        [game]
+        sensing = "visible"
+        update_time = 0.5
+        seed = 3
+        time_limit = inf
+        """,
+    )
+    assert scenario.team.positions.tolist() == [[3.0, 4.0], [5.0, 6.0]]
+    assert scenario.team.headings.tolist() == [math.pi, math.pi / 4]
+    assert scenario.team.speeds.tolist() == [0.5, 0.0]
+    assert scenario.team.turn_rates.tolist() == [math.pi / 2, math.inf]
+    assert scenario.disk.center.tolist() == [1.0, 2.0]
+    assert (scenario.disk.radius, scenario.disk.speed) == (0.5, 2.0)
+    assert scenario.disk.capture_radius == 0.1
+    assert (scenario.sensing, scenario.update_time) == ("visible", 0.5)
+    assert (scenario.seed, scenario.time_limit) == (3, math.inf)
+    assert scenario.evaders == covey.OpenLoop(starts=4)
+    assert scenario.pursuer == covey.FixedSequence([1, 0])
+
+
+def test_a_random_team_stands_in_a_square_around_the_pursuer_and_flies_away(tmp_path):
+    text = "[pursuer]\ncenter = [10, 20]\n[team.random]\ncount = 18\nside = 3.0\nseed = 1\n"
+    team = loaded(tmp_path, text).team
+    offsets = team.positions - [10.0, 20.0]
+    assert len(team) == 18
+    assert np.abs(offsets).max() <= 1.5
+    assert np.abs(offsets).max() > 1.0
+    np.testing.assert_allclose(team.headings, np.arctan2(offsets[:, 1], offsets[:, 0]), rtol=1e-12)
+
+
+def test_the_seed_of_the_game_places_a_team_without_one_of_its_own(tmp_path):
+    free = "[team.random]\ncount = 2\n[game]\nseed = 7\n"
+    fixed = free.replace("count", "seed = 1\ncount")
+
+    def positions(text, seed=None):
+        return loaded(tmp_path, text, seed=seed).team.positions.tolist()
+
+    assert positions(free) == positions(free, seed=7) != positions(free, seed=8)
+    assert positions(fixed) == positions(fixed, seed=8)
+    assert loaded(tmp_path, fixed, seed=8).seed == 8
+
+
+def test_a_seed_that_is_none_is_refused(tmp_path):
+    with pytest.raises(covey.InputError, match="seed: expected a whole number >= 0, got -1"):
+        loaded(tmp_path, ONE_EVADER, seed=-1)
+
+
+def test_a_byte_order_mark_does_no_harm(tmp_path):
+    assert len(loaded(tmp_path, "\ufeff" + ONE_EVADER).team) == 1
+
+
+def test_a_scenario_plans_and_plays_what_it_says(tmp_path):
+    text = (
+        '[pursuer]\nstrategy = { name = "fixed-sequence", sequence = [1, 0] }\n'
+        "[team.random]\ncount = 2\n[game]\nupdate_time = 0.1\nseed = 5\n"
+    )
+    scenario = loaded(tmp_path, text)
+    game = scenario.simulate()
+    assert (game.seed, game.update_time, game.sensing) == (5, 0.1, "hidden")
+    assert game.capture_sequence.tolist() == [1, 0]
+    assert game.guarantee == pytest.approx(scenario.plan().survival_time, rel=1e-9)
+
+
+@pytest.mark.parametrize("known", [EVADERS, PURSUERS])
+def test_a_strategy_describes_itself_as_a_file_would(known):
+    for name in known:
+        value = {"name": name, "sequence": [0, 1]} if name == "fixed-sequence" else name
+        strategy = make_strategy(value, known)
+        assert strategy.describe()["name"] == name
+        assert make_strategy(dict(strategy.describe()), known) == strategy
+
+
+def test_a_path_may_be_text(tmp_path):
+    path = tmp_path / "game.toml"
+    path.write_text(ONE_EVADER)
+    assert len(load_scenario(str(path)).team) == 1

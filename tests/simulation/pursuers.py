@@ -1,0 +1,69 @@
+"""Pursuers that don't come with the package: each is made from a seed, for one game."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+import covey
+
+HESITATION = 2.0
+"""Time after which even the pursuers that dawdle go hunting, so that games end."""
+
+
+def redrawing(seed):
+    """Draws a new sequence at every decision."""
+    generator = np.random.default_rng(seed)
+    return lambda situation: covey.Chase(tuple(generator.permutation(situation.evaders)))
+
+
+def nearest_first(seed):
+    """Makes for whoever is nearest just now."""
+
+    def decide(situation):
+        off = situation.team.positions - situation.disk.center
+        return covey.Chase((situation.evaders[np.hypot(off[:, 0], off[:, 1]).argmin()],))
+
+    return decide
+
+
+def farthest_first(seed):
+    """Makes for whoever is farthest, and declines all captures on the way."""
+
+    def decide(situation):
+        off = situation.team.positions - situation.disk.center
+        return covey.Chase((situation.evaders[np.hypot(off[:, 0], off[:, 1]).argmax()],))
+
+    return decide
+
+
+def waiting(seed):
+    """Waits every other time, while its disk grows over evaders that it doesn't take."""
+    generator = np.random.default_rng(seed)
+
+    def decide(situation):
+        if situation.time < HESITATION and generator.random() < 0.5:
+            return covey.Fly()
+        return covey.Chase(tuple(sorted(situation.evaders)))
+
+    return decide
+
+
+def roaming(seed):
+    """Flies about at random speeds and in random directions, then chases at random."""
+    generator = np.random.default_rng(seed)
+
+    def decide(situation):
+        if situation.time < HESITATION:
+            speed = situation.disk.speed * generator.choice([0.5, 1.0])
+            angle = generator.uniform(-math.pi, math.pi)
+            return covey.Fly((speed * math.cos(angle), speed * math.sin(angle)))
+        return covey.Chase(tuple(generator.permutation(situation.evaders)))
+
+    return decide
+
+
+def in_numerical_order(seed):
+    """Captures by the evaders' numbers."""
+    return lambda situation: covey.Chase(tuple(sorted(situation.evaders)))
