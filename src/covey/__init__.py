@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     from covey.players import IterativeOpenLoop as IterativeOpenLoop
     from covey.players import OpenLoop as OpenLoop
     from covey.players import simulate as simulate
+    from covey.scenarios import Scenario as Scenario
+    from covey.scenarios import load_scenario as load_scenario
     from covey.simulation import Chase as Chase
     from covey.simulation import Fly as Fly
     from covey.simulation import Game as Game
@@ -53,6 +55,7 @@ _ROOMS = {
         "OpenLoop",
         "simulate",
     ),
+    "covey.scenarios": ("Scenario", "load_scenario"),
     "covey.simulation": (
         "Chase",
         "Fly",

@@ -71,7 +71,9 @@ def test_no_seam_where_the_turn_ends(turn, turn_rate):
 
 def test_speed_never_changes():
     for time in (0.0, 0.5, 0.999, 1.0, 2.0):
-        assert math.hypot(*calls.motion(one(), [1.5], 0, time)) == pytest.approx(0.25, rel=ROUNDING)
+        assert math.hypot(*calls.motion(one(), [1.5], 0, time)) == pytest.approx(
+            0.25, rel=ROUNDING, abs=0.0
+        )
 
 
 @pytest.mark.parametrize("turn", [-2.0, 0.0, 2.0])

@@ -70,4 +70,4 @@ def test_places_of_capture_are_reached_at_full_speed():
         reference.place(team, turns, i, t) for i, t in zip(sequence, times, strict=True)
     ]
     legs = [np.hypot(*(b - a)) for a, b in itertools.pairwise(places)]
-    assert legs == pytest.approx(np.diff(times, prepend=0.0), rel=ENCLOSED)
+    assert legs == pytest.approx(np.diff(times, prepend=0.0), rel=ENCLOSED, abs=0.0)

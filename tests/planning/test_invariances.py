@@ -12,6 +12,9 @@ from hypothesis import strategies as st
 import covey
 from games import extent, games, random_game, random_turns, time_rounding
 
+SOLVED = 1e-8
+"""Of the survival time, relative: a plan ends where a step promises less than 1e-9."""
+
 _angles = st.floats(-math.pi, math.pi)
 _offsets = st.floats(-10.0, 10.0)
 
@@ -134,4 +137,17 @@ def test_an_ascent_in_a_mirror_is_the_ascent_mirrored(seed):
     plan = covey.plan(team, disk, starts=1, warm_start=turns)
     mirrored = covey.Team(team.positions * [1.0, -1.0], -team.headings)
     other = covey.plan(mirrored, disk, starts=1, warm_start=-turns)
-    assert other.survival_time == pytest.approx(plan.survival_time, rel=1e-12)
+    assert other.survival_time == pytest.approx(plan.survival_time, rel=1e-12, abs=0.0)
+
+
+@pytest.mark.parametrize("time", [-30, -10, 10, 30])
+@pytest.mark.parametrize("length", [-20, 20])
+def test_a_plan_is_worth_the_same_in_any_unit(time, length):
+    generator = np.random.default_rng(11)
+    for count in (1, 2, 3, 4) * 4:
+        team, disk = random_game(generator, count)
+        plan = covey.plan(team, disk, starts=4)
+        other = covey.plan(*in_units(team, disk, 2.0**length, 2.0**time), starts=4)
+        assert other.survival_time == pytest.approx(
+            2.0**time * plan.survival_time, rel=SOLVED, abs=0.0
+        )

@@ -38,10 +38,9 @@ def factorise(matrix: Table, n: int, factor: Table) -> bool:
 
 @compiled
 def make_positive(matrix: Table, n: int, vectors: Table, sizes: Floats) -> None:
-    """Replace each eigenvalue by its absolute value, or by 1e-7 of the largest if that is more.
+    """Replace each eigenvalue by its absolute value, so that the matrix is positive definite.
 
-    Where all are zero, by one.
-    A Newton step then climbs away from a saddle as fast as it approaches a maximum. `vectors`
+    One below 1e-7 of the largest is raised to that; where all are zero, to one. A Newton step then climbs away from a saddle as fast as it approaches a maximum. `vectors`
     (n, n) and `sizes` (n) are scratch.
     """
     _diagonalise(matrix, n, vectors)

@@ -11,7 +11,16 @@ from covey.kernels._jit import allocating, compiled
 from covey.kernels.ascent import AscentScratch, Columns
 from covey.kernels.path import HEADING, X, Y
 from covey.kernels.replanning import commit, forget_captured, replan
-from covey.kernels.rules import NOBODY, Rules, State, announce, fly, pursuit_from, remove
+from covey.kernels.rules import (
+    MOST_UPDATES,
+    NOBODY,
+    Rules,
+    State,
+    announce,
+    fly,
+    pursuit_from,
+    remove,
+)
 from covey.kernels.search import SearchScratch
 from covey.kernels.subsets import least_time
 from covey.kernels.types import Floats, Ints, Table
@@ -128,10 +137,11 @@ def play(
     """
     n = state.alive[0]
     order, times = np.full(n, NOBODY), np.full(n, math.inf)
-    captured, page = 0, 0
+    captured, page, updates = 0, 0, 0
     pages = blank_pages(256 if recorded else 1, n)
     scratch, sequence_times = search.ascent, np.empty(n)
-    while state.alive[0] > 0 and state.time[0] < rules.time_limit:
+    while state.alive[0] > 0 and state.time[0] < rules.time_limit and updates < MOST_UPDATES:
+        updates += 1
         alive = state.alive[0]
         announce(state, rules)
         pursuit = pursuit_from(state, rules)
@@ -149,7 +159,8 @@ def play(
             drop_from_sequence(sequence, alive, taken)
             forget_captured(columns, alive, taken)
             remove(state, taken)
-        if team.replans and state.alive[0] > 0 and state.time[0] < rules.time_limit:
+        played_on = state.time[0] < rules.time_limit and updates < MOST_UPDATES
+        if team.replans and state.alive[0] > 0 and played_on:
             replan(
                 state.evaders,
                 state.alive[0],

@@ -81,6 +81,14 @@ def position(paths: Table, i: int, time: float) -> tuple[float, float]:
     )
 
 
+@compiled
+def sample(paths: Table, times: Floats, places: Floats) -> None:
+    """Write where every evader is at each of the `times`, to `places` (times, evaders, 2)."""
+    for k in range(len(times)):
+        for i in range(len(paths)):
+            places[k, i, 0], places[k, i, 1] = position(paths, i, times[k])
+
+
 @inlined
 def velocity(paths: Table, i: int, time: float) -> tuple[float, float]:
     """The velocity of evader i at `time`."""

@@ -29,6 +29,9 @@ from covey.kernels.types import Floats, Ints, Pursuit, Table
 
 NOBODY = -1
 
+MOST_UPDATES = 200_000
+"""A game is stopped then: it would take for ever, and its record all memory."""
+
 
 class Rules(NamedTuple):
     """What stays the same during a game."""

@@ -15,6 +15,10 @@ Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 
 
+LARGEST = 1e100
+"""Of any length, speed or rate: squares must be numbers still."""
+
+
 class InputError(ValueError):
     """An argument that can't be used; the message says what was wanted and what came."""
 
@@ -28,7 +32,7 @@ def frozen_array(name: str, value: object, shape: tuple[int | None, ...]) -> Flo
     )
     if not matches:
         raise InputError(f"{name}: expected an array of shape {wanted}, got shape {array.shape}")
-    _reject(name, array, ~np.isfinite(array), "finite numbers")
+    _reject(name, array, ~(np.abs(array) <= LARGEST), f"finite numbers up to {LARGEST:g} in size")
     array.flags.writeable = False
     return array
 
@@ -42,7 +46,8 @@ def frozen_rates(name: str, value: object, count: int, *, infinite: bool) -> Flo
             f"got shape {array.shape}"
         )
     array = np.broadcast_to(array, (count,)).copy()
-    bad = np.isnan(array) | (array < 0) | (np.isinf(array) & (not infinite))
+    too_large = (array > LARGEST) & ~(np.isinf(array) & infinite)
+    bad = np.isnan(array) | (array < 0) | too_large
     _reject(name, array, bad, "numbers >= 0" + (" (inf is allowed)" if infinite else ", finite"))
     array.flags.writeable = False
     return array
@@ -57,7 +62,7 @@ def number(
         raise InputError(f"{name}: expected one number, got shape {array.shape}")
     result = float(array)
     inside = low < result <= high if strictly else low <= result <= high
-    if not (np.isfinite(result) and inside):
+    if not (abs(result) <= LARGEST and inside):
         wanted = "a finite number"
         if low > -np.inf:
             wanted += f" {'>' if strictly else '>='} {low:g}"

@@ -46,7 +46,7 @@ def assemble(
         update_time=settings.update_time,
         seed=settings.seed,
         strategies=strategies,
-        status=GameStatus.ALL_CAPTURED if done else GameStatus.TIME_LIMIT,
+        status=_status(done, settings, pages),
         guarantee=float(pages.guarantees[0]),
         survival_time=float(times[-1]) if done else math.inf,
         capture_sequence=order,
@@ -62,6 +62,13 @@ def assemble(
         disk_centers=pages.pursuers[:, 2:4],
         disk_radii=pages.pursuers[:, 4],
     )
+
+
+def _status(done: bool, settings: Settings, pages: Pages) -> GameStatus:
+    if done:
+        return GameStatus.ALL_CAPTURED
+    in_time = pages.times[-1] < settings.time_limit
+    return GameStatus.UPDATE_LIMIT if in_time else GameStatus.TIME_LIMIT
 
 
 def _explaining_flight(disk: PursuerDisk, order: Ints, times: Floats, pages: Pages) -> Floats:

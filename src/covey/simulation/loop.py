@@ -8,7 +8,7 @@ import numpy as np
 
 from covey.kernels.ascent import ascent_scratch
 from covey.kernels.game import blank_pages, more_pages, write_page
-from covey.kernels.rules import NOBODY, State, announce, fly, remove
+from covey.kernels.rules import MOST_UPDATES, NOBODY, State, announce, fly, remove
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.checks import Floats, Ints, frozen_array
 from covey.simulation.assemble import assemble
@@ -50,7 +50,7 @@ def play(
     pages, page, scratch = blank_pages(256, n), 0, ascent_scratch(n)
     order: list[int] = []
     times: list[float] = []
-    while state.alive[0] > 0 and state.time[0] < rules.time_limit:
+    while state.alive[0] > 0 and state.time[0] < rules.time_limit and page < MOST_UPDATES:
         alive = int(state.alive[0])
         state.turns[:alive] = _checked_turns(plan(_situation(state, disk)), alive)
         announce(state, rules)

@@ -16,6 +16,7 @@ class GameStatus(StrEnum):
 
     ALL_CAPTURED = "every evader was captured"
     TIME_LIMIT = "stopped at the time limit with evaders alive; raise time_limit to play on"
+    UPDATE_LIMIT = "stopped after 200 000 updates with evaders alive; raise update_time to play on"
 
 
 @dataclass(frozen=True, eq=False)

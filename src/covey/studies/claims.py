@@ -99,9 +99,7 @@ def fig5_claims(gains: Mapping[str, Gains]) -> Iterator[Claim]:
         for word in (VISIBLE, HIDDEN)
         if word in gains
     ]
-    ordered = all(
-        a.value < b.value for row in last.values() for a, b in itertools.pairwise(row)
-    )
+    ordered = all(a.value < b.value for row in last.values() for a, b in itertools.pairwise(row))
     yield Claim(
         "Larger teams gain more.",
         "Gain at the highest rate, " + "; ".join(texts) + ".",

@@ -21,17 +21,17 @@ What the paper leaves open had to be decided, and some of it moves the figures.
 
 - **Captures happen at their exact time**, inside an update interval, and the team plans again at
   once. The paper looks for captures at the end of each interval of 0.01; its times are multiples of
-  that, which makes ratios of exactly 1 more frequent, and rounds small differences away. "1" stands
-  here for the histogram's bin, 1 ± 0.005.
+  that, so small differences vanish in them. "1" stands here for the histogram's middle bin,
+  1 ± 0.005.
 - **The pursuer is committed.** The team's plan makes several capture sequences equally good, so a
   pursuer that chooses the best one anew at every update flips between them and goes nowhere. Ours
-  keeps its sequence unless another is better by {margin}. In some games it still changes its mind
-  several times, and so lets a visible team live longer than it need: the ratio falls below 0.9, or
-  it takes an order that is poor against a team that doesn't see it: the ratio rises above 1.
+  keeps its sequence unless another is better by {margin}. That is rare, and explains only some of
+  the ratios below 0.9: there are such starts where it never changed its mind. Ratios above 1 occur
+  because the order comes from the visible game, and needn't be the best one against the hidden one.
 - **Plans are local maxima.** The max-min problem has several, more for larger teams. The paper
-  starts `fminimax` once (it doesn't say where); here the best of {starts} starts is flown, and
-  after a capture {restarts} new starts are tried. The team is a better one, which a given pursuer
-  can't hold to the same bound as often. A team never survives less than its first plan guaranteed.
+  solves it with `fminimax` and doesn't say from where; here the best of {starts} starts is flown,
+  and {restarts} new ones are followed after a capture. Another local maximum is another game, and
+  where the visible and the hidden team come to different ones, their times differ.
 - **Turns are signed**, up to a half turn to either side, where the paper gives a goal heading and
   takes the shorter way. The set of plans is the same.
 - **The starts are other ones.** 500 of them leave the uncertainty that the tables give.

@@ -66,6 +66,8 @@ def draw_gains(turn_rates: Sequence[float], panels: Mapping[str, Mapping[int, Cu
         axes.set_ylim(2.0 - top if top < 1.02 else 0.99, top)
         axes.set_title(f"({'abcdef'[k]})  {title}", loc="left", pad=3)
         if k == 0:
+            handles, labels = axes.get_legend_handles_labels()
+            axes.legend(handles[::-1], labels[::-1], loc="upper left")  # as the curves lie
             axes.set_ylabel(f"mean survival time, relative to {_rate_text(turn_rates[0])}")
         else:
             axes.tick_params(labelleft=False)
@@ -100,13 +102,10 @@ def _draw_panel(axes: Axes, turn_rates: Sequence[float], curves: Mapping[int, Cu
             gid=f"team of {size}",
         )
     axes.axhline(1.0, color=style.FAINT, linewidth=style.THIN_LINE, linestyle=style.PURSUER_DOTS)
-    axes.set_xscale("log", base=2)
     axes.set_xticks(turn_rates, [_rate_text(rate) for rate in turn_rates])
-    axes.minorticks_off()
+    axes.set_xlim(left=0.0)
     axes.set_xlabel(r"maximum turning rate $\omega$ (rad/s)", labelpad=2)
     axes.spines[["top", "right"]].set_visible(False)
-    handles, labels = axes.get_legend_handles_labels()
-    axes.legend(handles[::-1], labels[::-1], loc="upper left")
 
 
 def _rate_text(rate: float) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from covey.kernels.path import PATH, position, set_paths
+from covey.kernels.path import PATH, sample, set_paths
 from covey.model import Team
 from covey.model.checks import Floats, Ints
 
@@ -17,7 +17,9 @@ def places(team: Team, turns: Floats, times: Floats) -> Floats:
     paths = np.empty((len(team), PATH))
     any_speed = 1.0  # of the pursuer: it has no part in where the evaders fly
     set_paths(team.as_rows(), turns, any_speed, paths)
-    return np.array([[position(paths, i, t) for i in range(len(team))] for t in times.tolist()])
+    sampled = np.empty((len(times), len(team), 2))
+    sample(paths, times, sampled)
+    return sampled
 
 
 def path(team: Team, turns: Floats, evader: int, end: float) -> Floats:

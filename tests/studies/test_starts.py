@@ -1,0 +1,90 @@
+"""Where the evaders of a study start."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from covey.model import InputError
+from covey.studies import Disk, Formation, FromFile, Square, Study
+
+
+def test_a_start_depends_on_the_seed_and_its_number_alone():
+    few, many = Study(starts=3, seed=5), Study(starts=300, seed=5, turn_rate=[0.1, 7.0])
+    for number in range(3):
+        one, other = few.start(number, 5), many.start(number, 5)
+        assert (one.positions == other.positions).all()
+        assert (one.headings == other.headings).all()
+        assert one.seed == other.seed
+    assert not np.allclose(few.start(0, 5).positions, few.start(1, 5).positions)
+    assert not np.allclose(few.start(0, 5).positions, Study(seed=6).start(0, 5).positions)
+
+
+@pytest.mark.parametrize("sampler", [Square(), Square(headings="random"), Disk()])
+def test_a_small_team_is_the_first_of_a_large_one(sampler):
+    study = Study(sampler=sampler)
+    three, five = study.start(7, 3), study.start(7, 5)
+    assert (three.positions == five.positions[:3]).all()
+    assert (three.headings == five.headings[:3]).all()
+
+
+def test_the_square_is_the_papers():
+    study = Study()
+    starts = [study.start(number, 5) for number in range(400)]
+    places = np.concatenate([start.positions for start in starts])
+    assert np.abs(places).max() <= 0.5
+    # Mean 0 and variance 1/12 in each direction, within four standard errors of 2000 samples.
+    assert places.mean(axis=0) == pytest.approx([0, 0], abs=4 * math.sqrt(1 / 12 / 2000))
+    assert places.var(axis=0) == pytest.approx([1 / 12, 1 / 12], rel=0.1)
+    headings = np.concatenate([start.headings for start in starts])
+    assert np.allclose(headings, np.arctan2(places[:, 1], places[:, 0]))
+
+
+def test_the_disk_is_filled_evenly():
+    study = Study(sampler=Disk(radius=2.0))
+    places = np.concatenate([study.start(number, 5).positions for number in range(400)])
+    distances = np.hypot(*places.T)
+    assert distances.max() <= 2.0
+    # Half of the area lies within radius / √2.
+    assert (distances < math.sqrt(2.0)).mean() == pytest.approx(0.5, abs=4 * 0.5 / math.sqrt(2000))
+
+
+@pytest.mark.parametrize("shape", ["line", "wedge", "ring"])
+def test_a_formation_keeps_its_spacing_and_flies_one_way(shape):
+    study = Study(sampler=Formation(shape, spacing=0.2, distance=1.5), team_size=5)
+    start = study.start(0, 5)
+    gaps = np.hypot(*(start.positions[:, None] - start.positions).T)
+    assert gaps[~np.eye(5, dtype=bool)].min() == pytest.approx(0.2)
+    assert np.hypot(*start.positions.mean(axis=0)) == pytest.approx(1.5)
+    assert len(set(start.headings)) == 1
+
+
+@pytest.mark.parametrize("ending", ["csv", "parquet"])
+def test_starts_come_from_a_file(tmp_path, ending):
+    pandas = pytest.importorskip("pandas")
+    table = pandas.DataFrame(
+        {"start": [1, 1, 0, 0], "x": [0.1, 0.2, 0.3, 0.4], "y": [1.0, 2.0, 3.0, 4.0]}
+    )
+    path = tmp_path / f"starts.{ending}"
+    table.to_csv(path, index=False) if ending == "csv" else table.to_parquet(path)
+    study = Study(sampler=FromFile(str(path)), starts=2, team_size=2)
+    assert study.start(0, 2).positions.tolist() == [[0.3, 3.0], [0.4, 4.0]]
+    assert study.only(1, 2).start(1, 2).positions.tolist() == [[0.1, 1.0], [0.2, 2.0]]
+    assert study.start(1, 2).headings.tolist() == pytest.approx(
+        [math.atan2(1.0, 0.1), math.atan2(2.0, 0.2)]
+    )
+    with pytest.raises(InputError, match=r"team_size: expected at most 2.*got 3"):
+        Study(sampler=FromFile(str(path)), starts=2, team_size=[2, 3])
+    with pytest.raises(InputError, match="starts: expected at most 2"):
+        Study(sampler=FromFile(str(path)), starts=3, team_size=2)
+
+
+def test_a_file_without_its_columns_is_refused(tmp_path):
+    path = tmp_path / "starts.csv"
+    path.write_text("start,x\n0,1.0\n")
+    with pytest.raises(InputError, match="y missing"):
+        FromFile(str(path))
+    with pytest.raises(InputError, match="can't be read"):
+        FromFile(str(tmp_path / "none.csv"))
