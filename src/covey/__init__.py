@@ -37,6 +37,9 @@ if TYPE_CHECKING:
     from covey.simulation import Situation as Situation
     from covey.simulation import load_game as load_game
     from covey.simulation import save_game as save_game
+    from covey.studies import Study as Study
+    from covey.studies import load_study as load_study
+    from covey.studies import run_study as run_study
 
 _ROOMS = {
     "covey.model": ("InputError", "PursuerDisk", "Team", "turns_to"),
@@ -65,6 +68,7 @@ _ROOMS = {
         "load_game",
         "save_game",
     ),
+    "covey.studies": ("Study", "load_study", "run_study"),
 }
 _HOME = {name: room for room, names in _ROOMS.items() for name in names}
 

@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels._jit import allocating, compiled
-from covey.kernels.definite import factorise, make_positive
+from covey.kernels._jit import allocating, compiled, inlined
+from covey.kernels.definite import diagonalise, factorise, make_positive
 from covey.kernels.path import PATH, set_paths
 from covey.kernels.quadratic import (
     QuadraticScratch,
@@ -29,6 +29,7 @@ CONVERGED, STALLED, STEPS_USED_UP = range(3)
 
 _LEAST_BOX = 1e-9
 _PENALTY = 20.0  # of the curvature, across the active columns
+_STRIDE = 0.03  # radians, off a saddle
 _MOST_CORRECTIONS = 3
 _DISAPPOINTING = 0.6  # share of the promise below which a step is corrected
 
@@ -142,19 +143,24 @@ def ascend(
     value = _column_times(paths, n, pursuit, columns, times)
     value, _, interceptions = _exact_value(paths, n, pursuit, columns, value, times, scratch)
     programmes, steps, ended = 1, 0, STEPS_USED_UP
-    straightened = False
+    straightened, unit = False, 1.0
     moved = True  # gradients and curvature belong to other turns
     while steps < most_steps:
         if moved:
-            _linearise(paths, n, pursuit, columns, times, scratch)
-            straightened = _shape(n, columns, times, True, scratch)
-        promise = _best_step(turns, n, columns, times, box, scratch)
+            unit = _unit_of(value)
+            _linearise(paths, n, pursuit, columns, times, unit, scratch)
+            straightened = _shape(n, columns, times, True, unit, scratch)
+        promise = _best_step(turns, n, columns, times, box, unit, scratch)
         if straightened and promise - value <= tolerance * value:
-            straightened = _shape(n, columns, times, False, scratch)
-            promise = _best_step(turns, n, columns, times, box, scratch)
+            straightened = _shape(n, columns, times, False, unit, scratch)
+            promise = _best_step(turns, n, columns, times, box, unit, scratch)
         if promise - value <= tolerance * value:
-            ended = CONVERGED
-            break
+            promise = _way_off_a_saddle(
+                evaders, n, pursuit, turns, columns, times, unit, trial_paths, trial_times, scratch
+            )
+            if promise - value <= 2.0 * tolerance * value:
+                ended = CONVERGED
+                break
         steps += 1
         trial = _try_step(evaders, n, pursuit, turns, columns, trial_paths, trial_times, scratch)
         for _ in range(_MOST_CORRECTIONS):
@@ -167,6 +173,7 @@ def ascend(
                     columns,
                     trial,
                     box,
+                    unit,
                     trial_paths,
                     trial_times,
                     scratch,
@@ -180,7 +187,7 @@ def ascend(
             interceptions += cost
             if joined < 0:
                 break
-            _linearise_one(paths, n, pursuit, columns, joined, times, scratch)
+            _linearise_one(paths, n, pursuit, columns, joined, times, unit, scratch)
             if trial > value:
                 break
         gained = (trial - value) / (promise - value)
@@ -202,6 +209,15 @@ def ascend(
             ended = STALLED
             break
     return value, ended, Tally(steps, programmes, interceptions)
+
+
+@inlined
+def _unit_of(value: float) -> float:
+    """A power of two that brings times to about one, whatever unit they come in.
+
+    The quadratic programme compares times with radians; a power of two rounds nothing.
+    """
+    return math.ldexp(1.0, -math.frexp(value)[1]) if value > 0.0 else 1.0
 
 
 @compiled
@@ -231,6 +247,7 @@ def _correct(
     columns: Columns,
     trial: float,
     box: float,
+    unit: float,
     paths: Table,
     times: Table,
     scratch: AscentScratch,
@@ -238,7 +255,7 @@ def _correct(
     """Replace a trial that disappoints by its second-order correction, if that is better."""
     for i in range(n):
         scratch.first_turns[i] = scratch.turns[i]
-    _corrected_step(turns, n, columns, times, box, scratch)
+    _corrected_step(turns, n, columns, times, box, unit, scratch)
     second = _try_step(evaders, n, pursuit, turns, columns, paths, times, scratch)
     if second > trial:
         return second
@@ -305,7 +322,13 @@ def _join(columns: Columns, n: int, sequence: Ints, times: Floats) -> int:
 
 @compiled
 def _linearise(
-    paths: Table, n: int, pursuit: Pursuit, columns: Columns, times: Floats, scratch: AscentScratch
+    paths: Table,
+    n: int,
+    pursuit: Pursuit,
+    columns: Columns,
+    times: Floats,
+    unit: float,
+    scratch: AscentScratch,
 ) -> None:
     """Gradients of all columns, and the curvature of their Lagrangian, sign turned."""
     count, weights = columns.used[0], columns.weights
@@ -323,6 +346,8 @@ def _linearise(
     for s in range(count):
         sequence = columns.sequences[s, :n]
         differentiate(paths, pursuit, sequence, times[s], scratch.captures, scratch.gradients[s])
+        for i in range(n):
+            scratch.gradients[s, i] *= unit
         if weights[s] > 0.0:
             add_curvature(
                 paths,
@@ -330,7 +355,7 @@ def _linearise(
                 sequence,
                 times[s],
                 scratch.captures,
-                -weights[s],
+                -weights[s] * unit,
                 scratch.slopes,
                 curvature,
             )
@@ -344,17 +369,20 @@ def _linearise_one(
     columns: Columns,
     s: int,
     times: Table,
+    unit: float,
     scratch: AscentScratch,
 ) -> None:
     """Capture times and gradient, at the present turns, of a column that joined at other ones."""
     sequence = columns.sequences[s, :n]
     capture_times(paths, pursuit, sequence, times[s])
     differentiate(paths, pursuit, sequence, times[s], scratch.captures, scratch.gradients[s])
+    for i in range(n):
+        scratch.gradients[s, i] *= unit
 
 
 @compiled
 def _shape(
-    n: int, columns: Columns, times: Table, straighten: bool, scratch: AscentScratch
+    n: int, columns: Columns, times: Table, straighten: bool, unit: float, scratch: AscentScratch
 ) -> bool:
     """Factor the curvature for the quadratic programme; return whether it was straightened.
 
@@ -363,23 +391,68 @@ def _shape(
     those columns agree makes it right without moving that point (an augmented Lagrangian), and
     Newton's method stays quadratic. Without it the sign is mended by force, which is slow but safe.
     """
-    curvature, shaped, pull = scratch.curvature, scratch.shaped, scratch.pull
     for i in range(n):
-        pull[i] = 0.0
-    if factorise(curvature, n, scratch.factor):
+        scratch.pull[i] = 0.0
+    if factorise(scratch.curvature, n, scratch.factor):
         return False
-    for i in range(n):
-        for j in range(i + 1):
-            shaped[i, j] = curvature[i, j]
-    straightened = straighten and _penalise(n, columns, times, scratch)
-    if not factorise(shaped, n, scratch.factor):
-        make_positive(shaped, n, scratch.vectors, scratch.sizes)
-        factorise(shaped, n, scratch.factor)
+    _copy_curvature(n, scratch)
+    straightened = straighten and _penalise(n, columns, times, unit, scratch)
+    if not factorise(scratch.shaped, n, scratch.factor):
+        make_positive(scratch.shaped, n, scratch.vectors, scratch.sizes)
+        factorise(scratch.shaped, n, scratch.factor)
     return straightened
 
 
 @compiled
-def _penalise(n: int, columns: Columns, times: Table, scratch: AscentScratch) -> bool:
+def _way_off_a_saddle(
+    evaders: Table,
+    n: int,
+    pursuit: Pursuit,
+    turns: Floats,
+    columns: Columns,
+    times: Table,
+    unit: float,
+    trial_paths: Table,
+    trial_times: Table,
+    scratch: AscentScratch,
+) -> float:
+    """Write the step along the direction that bends upwards most; return what the columns reach.
+
+    Where no gradient is left the ascent may stand on a saddle. -inf if nothing bends upwards, seen
+    along the active columns.
+    """
+    if factorise(scratch.curvature, n, scratch.factor):
+        return -math.inf
+    _copy_curvature(n, scratch)
+    _penalise(n, columns, times, unit, scratch)
+    if factorise(scratch.shaped, n, scratch.factor):
+        return -math.inf
+    diagonalise(scratch.shaped, n, scratch.vectors)
+    upwards = 0
+    for k in range(n):
+        if scratch.shaped[k, k] < scratch.shaped[upwards, upwards]:
+            upwards = k
+    reached = -math.inf
+    for side in (-_STRIDE, _STRIDE):
+        for i in range(n):
+            scratch.step[i] = side * scratch.vectors[i, upwards]
+        here = _try_step(evaders, n, pursuit, turns, columns, trial_paths, trial_times, scratch)
+        if side > 0.0 and here < reached:
+            for i in range(n):
+                scratch.step[i] = -scratch.step[i]
+        reached = max(reached, here)
+    return reached
+
+
+@inlined
+def _copy_curvature(n: int, scratch: AscentScratch) -> None:
+    for i in range(n):
+        for j in range(i + 1):
+            scratch.shaped[i, j] = scratch.curvature[i, j]
+
+
+@compiled
+def _penalise(n: int, columns: Columns, times: Table, unit: float, scratch: AscentScratch) -> bool:
     """Add to `shaped` and `pull` the penalty on active columns that differ; False if none do."""
     shaped, pull, mean, gradients = scratch.shaped, scratch.pull, scratch.step, scratch.gradients
     weights, count = columns.weights, columns.used[0]
@@ -407,7 +480,7 @@ def _penalise(n: int, columns: Columns, times: Table, scratch: AscentScratch) ->
         if weights[s] > 0.0:
             for i in range(n):
                 off = penalty * (gradients[s, i] - mean[i])
-                pull[i] -= off * (times[s, n - 1] - value)
+                pull[i] -= off * unit * (times[s, n - 1] - value)
                 for j in range(i + 1):
                     shaped[i, j] += off * (gradients[s, j] - mean[j])
     return True
@@ -415,17 +488,29 @@ def _penalise(n: int, columns: Columns, times: Table, scratch: AscentScratch) ->
 
 @compiled
 def _best_step(
-    turns: Floats, n: int, columns: Columns, times: Floats, box: float, scratch: AscentScratch
+    turns: Floats,
+    n: int,
+    columns: Columns,
+    times: Floats,
+    box: float,
+    unit: float,
+    scratch: AscentScratch,
 ) -> float:
     """Write the step that the model thinks best inside the box; return the value it promises."""
     for s in range(columns.used[0]):
-        scratch.values[s] = times[s, n - 1]
-    return _solve(turns, n, columns, box, scratch)
+        scratch.values[s] = unit * times[s, n - 1]
+    return _solve(turns, n, columns, box, scratch) / unit
 
 
 @compiled
 def _corrected_step(
-    turns: Floats, n: int, columns: Columns, tried: Table, box: float, scratch: AscentScratch
+    turns: Floats,
+    n: int,
+    columns: Columns,
+    tried: Table,
+    box: float,
+    unit: float,
+    scratch: AscentScratch,
 ) -> None:
     """Write a second-order correction of the step: what the model missed, added to its values.
 
@@ -433,7 +518,7 @@ def _corrected_step(
     of them falls short of the promise, however small the step (the Maratos effect).
     """
     for s in range(columns.used[0]):
-        scratch.values[s] = tried[s, n - 1]
+        scratch.values[s] = unit * tried[s, n - 1]
         for i in range(n):
             scratch.values[s] -= scratch.gradients[s, i] * (scratch.turns[i] - turns[i])
     _solve(turns, n, columns, box, scratch)

@@ -9,7 +9,7 @@ from covey.kernels.path import CHORD, HALF_RATE, TURN_END, position, velocity
 from covey.kernels.types import Table
 
 _TOUCHING = 1e-12
-_MOST_STEPS = 1000
+_MOST_STEPS = 1_000_000  # a pursuer that almost touches for long takes many
 
 
 @compiled
@@ -50,4 +50,4 @@ def first_contact(
             return math.inf
         if time > latest:
             return math.inf
-    return time
+    return math.inf

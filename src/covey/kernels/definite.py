@@ -40,10 +40,11 @@ def factorise(matrix: Table, n: int, factor: Table) -> bool:
 def make_positive(matrix: Table, n: int, vectors: Table, sizes: Floats) -> None:
     """Replace each eigenvalue by its absolute value, so that the matrix is positive definite.
 
-    One below 1e-7 of the largest is raised to that; where all are zero, to one. A Newton step then climbs away from a saddle as fast as it approaches a maximum. `vectors`
-    (n, n) and `sizes` (n) are scratch.
+    One below 1e-7 of the largest is raised to that; where all are zero, to one. A Newton step then
+    climbs away from a saddle as fast as it approaches a maximum. `vectors` (n, n) and `sizes` (n)
+    are scratch.
     """
-    _diagonalise(matrix, n, vectors)
+    diagonalise(matrix, n, vectors)
     largest = 0.0
     for i in range(n):
         sizes[i] = abs(matrix[i, i])
@@ -59,7 +60,7 @@ def make_positive(matrix: Table, n: int, vectors: Table, sizes: Floats) -> None:
 
 
 @compiled
-def _diagonalise(matrix: Table, n: int, vectors: Table) -> None:
+def diagonalise(matrix: Table, n: int, vectors: Table) -> None:
     """Jacobi's method: rotate until the matrix is diagonal; `vectors` gets the eigenvectors."""
     for i in range(n):
         for j in range(n):

@@ -95,6 +95,10 @@ def solve_quadratic(
             weights[active[k]] = multipliers[k]
     for i in range(n):
         step[i] = min(max(step[i], low[i]), high[i])
+    # What the steps added up to is rounded by the size of the multipliers; the models aren't.
+    least = math.inf
+    for s in range(m):
+        least = min(least, values[s] + _dot(gradients[s], step, n))
     return least
 
 

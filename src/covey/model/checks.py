@@ -25,7 +25,8 @@ class InputError(ValueError):
 
 def frozen_array(name: str, value: object, shape: tuple[int | None, ...]) -> Floats:
     """Copy `value` to a read-only array of finite floats of `shape` (None: any length)."""
-    wanted = "(" + ", ".join("N" if n is None else str(n) for n in shape) + ")"
+    wanted = "(" + ", ".join("N" if n is None else str(n) for n in shape)
+    wanted += ",)" if len(shape) == 1 else ")"
     array = _numbers(name, value)
     matches = array.ndim == len(shape) and all(
         n is None or n == m for n, m in zip(shape, array.shape, strict=True)

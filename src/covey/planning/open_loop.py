@@ -54,8 +54,8 @@ class Plan:
         Guaranteed against any pursuer in the disk: the exact minimum over all capture sequences at
         these turns, whatever the search did.
     critical_sequences : tuple of tuple of int
-        Capture sequences that attain the guaranteed time or come within 1e-6 of it, relative; the
-        earliest first.
+        Capture sequences that attain the guaranteed time, or come within 1e-6 of it, relative, as
+        far as the search met them; the earliest first.
     status : PlanStatus
     weights : tuple of float
         For each critical sequence the share with which it holds the plan where it is: the Lagrange

@@ -85,10 +85,13 @@ class FixedSequence:
     def start(self, seed: int) -> PursuerPolicy:  # noqa: ARG002 the protocol's signature
         """Return the policy of one game."""
         committed = _Committed(math.inf, self.sequence)
+        begun = False
 
         def decide(situation: Situation) -> Chase:
-            if situation.time == 0.0 and len(situation.evaders) >= len(self.sequence):
+            nonlocal begun
+            if not begun:
                 self._require(len(situation.evaders))
+                begun = True
             return committed(situation)
 
         return decide

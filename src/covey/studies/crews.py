@@ -38,6 +38,10 @@ class Crew(Protocol):
         """Drop all work that has not been done."""
         ...
 
+    def leave(self) -> None:
+        """Go when all work has been done."""
+        ...
+
 
 @contextmanager
 def hired(workers: int | None, dask: str | None) -> Iterator[Crew]:
@@ -48,6 +52,7 @@ def hired(workers: int | None, dask: str | None) -> Iterator[Crew]:
     except BaseException:
         crew.dismiss()
         raise
+    crew.leave()
 
 
 def _crew(workers: int | None, dask: str | None) -> Crew:
@@ -87,6 +92,9 @@ class Alone:
     def dismiss(self) -> None:
         """Nothing to do."""
 
+    def leave(self) -> None:
+        """Nothing to do."""
+
 
 class Pool:
     """Processes on this machine, which stay for the next study."""
@@ -112,17 +120,21 @@ class Pool:
         """End the processes."""
         self._executor.shutdown(wait=False, kill_workers=True)  # type: ignore[call-arg] # loky's
 
+    def leave(self) -> None:
+        """Nothing to do: the processes wait for the next study."""
+
 
 class Cluster:
     """Workers of a Dask cluster; its scheduler replaces the dead and sends their work anew."""
 
     def __init__(self, address: str) -> None:
         try:
-            from distributed import Client
+            import distributed
         except ImportError as error:
             raise InputError("dask: not installed; install covey[dask]") from error
+        library: Any = distributed  # some of it has types, and some has none
         try:
-            self._client = Client(address, timeout=_CLUSTER_SECONDS, set_as_default=False)
+            self._client = library.Client(address, timeout=_CLUSTER_SECONDS, set_as_default=False)
             self._client.wait_for_workers(1, timeout=_CLUSTER_SECONDS)
         except (OSError, TimeoutError, ValueError) as error:
             raise InputError(f"dask: no cluster with workers answers at {address}") from error
@@ -142,6 +154,10 @@ class Cluster:
         """Nothing to do: the scheduler has done it."""
 
     def dismiss(self) -> None:
+        """Leave the cluster to others, and with it all work that it hasn't begun."""
+        self.leave()
+
+    def leave(self) -> None:
         """Leave the cluster to others."""
         self._executor.shutdown(wait=False)
         self._client.close()

@@ -21,7 +21,7 @@ from typing import Any
 from covey.model import InputError
 from covey.simulation.storage import whole_file
 from covey.studies.chunks import Chunk
-from covey.studies.table import GAMES, MOMENTS, decoded
+from covey.studies.table import GAMES, MOMENTS, decoded, encoded
 from covey.studies.work import Parts
 
 LOG = "log.jsonl"
@@ -62,16 +62,23 @@ def keep(folder: Path, chunk: Chunk, parts: Parts) -> None:
 
 
 def is_kept(folder: Path, chunk: Chunk, cases: int) -> bool:
-    """Return whether the files of a chunk are there and sound; they are read for it."""
+    """Return whether the games of a chunk are there and sound.
+
+    The same table gives the same bytes, so a part that isn't what its own table would be written
+    as has been damaged. Parquet's checksums don't cover everything.
+    """
     import pyarrow as pa
 
-    path = part_path(folder, GAMES, chunk.number)
     try:
-        games = decoded(path.read_bytes())["game"]
+        content = part_path(folder, GAMES, chunk.number).read_bytes()
+        table = decoded(content)
+        numbers = table["game"]
+        if encoded(table) != content:
+            return False
     except (OSError, KeyError, pa.ArrowException):  # not there, or damaged: played again
         return False
     wanted = (chunk.last - chunk.first) * cases
-    return len(games) == wanted and games[0].as_py() == chunk.first * cases
+    return len(numbers) == wanted and numbers[0].as_py() == chunk.first * cases
 
 
 def note(folder: Path, entry: Mapping[str, Any]) -> None:

@@ -1,0 +1,90 @@
+"""What `covey study` prints and writes, and what `covey reproduce` makes of the paper's studies."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+import covey
+from covey.cli import main
+
+SMALL = """
+starts = 20
+[grid]
+team_size = [2, 3]
+update_time = 0.1
+turn_rate = [1.0, 2.0]
+sensing = "hidden"
+"""
+
+
+@pytest.fixture
+def file(tmp_path, monkeypatch):
+    """A small study in an empty working folder."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "small.toml").write_text(SMALL)
+    return tmp_path / "small.toml"
+
+
+def test_a_study_is_played_and_summed_up(file, capsys):
+    assert main(["study", "small.toml", "--workers", "1"]) == 0
+    output = capsys.readouterr()
+    assert "turn rate" in output.out
+    assert "Means over 20 starts" in output.out
+    assert "sensing" not in output.out  # it is the same in all cases
+    assert covey.load_study("results/small").is_complete
+
+
+def test_json_has_all_digits(file, capsys):
+    assert main(["study", "small.toml", "--workers", "1", "--output", "there", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["games"] == 80
+    assert told["complete"]
+    times = covey.load_study("there").games["survival_time"].to_numpy().reshape(20, 4)
+    assert [case["survival_time"]["value"] for case in told["cases"]] == pytest.approx(
+        times.mean(axis=0).tolist(), rel=1e-14
+    )
+    assert [case["turn_rate"] for case in told["cases"]] == [1.0, 2.0, 1.0, 2.0]
+
+
+def test_another_study_in_the_folder_is_refused(file, capsys):
+    assert main(["study", "small.toml", "--workers", "1"]) == 0
+    file.write_text(SMALL.replace("20", "30"))
+    assert main(["study", "small.toml", "--workers", "1"]) == 2
+    assert "starts: is 20 there, and 30 now" in capsys.readouterr().err
+
+
+def test_the_mistakes_of_a_file_are_told(file, capsys):
+    file.write_text("startz = 3\n[grid]\nspeed = -1\n")
+    assert main(["study", "small.toml"]) == 2
+    error = capsys.readouterr().err
+    assert 'startz: unknown key; did you mean "starts"?' in error
+    assert "grid.speed: expected a finite number >= 0, got -1" in error
+
+
+def test_a_study_that_comes_with_covey_is_meant(capsys):
+    assert main(["study", "fig6"]) == 2
+    assert "no study of that name" in capsys.readouterr().err
+
+
+def test_no_games_are_lost_silently(file, capsys, monkeypatch):
+    def broken(study, start):
+        raise ZeroDivisionError("no heading")
+
+    monkeypatch.setattr("covey.studies.work.play_start", broken)
+    with pytest.raises(SystemExit, match="1"):
+        main(["study", "small.toml", "--workers", "1"])
+    assert "starts 0 to 15 are missing: start 0 (seed" in capsys.readouterr().err
+
+
+def test_the_paper_is_reproduced_with_a_report(tmp_path, capsys):
+    assert main(["reproduce", "--output", str(tmp_path), "--starts", "6", "--workers", "1"]) == 0
+    there = {path.name for path in tmp_path.iterdir()}
+    figures = {f"fig{k}.{ending}" for k in range(1, 6) for ending in ("png", "svg", "pdf")}
+    assert figures | {"report.md", "fig3.gif", "fig4.csv", "fig5.csv", "fig4", "fig5"} <= there
+    report = (tmp_path / "report.md").read_text()
+    assert "216 games from 6 starts" in report
+    for claim in ("200 of 500", "Larger teams gain more", "Where the definitions differ"):
+        assert claim in report
+    assert report.count("**holds") + report.count("**differs**") == 8
