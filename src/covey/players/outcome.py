@@ -70,7 +70,7 @@ def survival(
     Returns
     -------
     Outcome
-        Of strategies that come with the package, a fifth sooner than `simulate` does.
+        What the record of the game would say.
     """
     settings = checked_settings(team, disk, sensing, update_time, seed, time_limit)
     if not (team_is_built_in(evaders) and pursuer_is_built_in(pursuer)):

@@ -61,8 +61,7 @@ def _head(fig4: StudyResult, fig5: StudyResult) -> str:
 # The paper's section V, played again
 
 S.-Y. Liu, Z. Zhou, C. Tomlin and J. K. Hedrick, *Evasion of a Team of Dubins Vehicles from a Hidden
-Pursuer* (ICRA 2014), Figs. 3 to 5: {games:,} games from {fig4.study["starts"]} starts, played by
-covey {fig4.manifest["versions"]["covey"]}.
+Pursuer* (ICRA 2014), Figs. 3 to 5: {games:,} games from {fig4.study["starts"]} starts.
 """
 
 
@@ -150,7 +149,7 @@ def _definitions(fig4: StudyResult) -> str:
 
 def _again(fig4: StudyResult, fig5: StudyResult) -> str:
     versions = fig4.manifest["versions"]
-    told = ", ".join(f"{name} {versions[name]}" for name in ("python", "numpy", "numba"))
+    told = ", ".join(f"{name} {versions[name]}" for name in ("covey", "python", "numpy", "numba"))
     machine = fig4.manifest["machine"]
     return f"""\
 ## To look closer
