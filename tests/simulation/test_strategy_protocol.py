@@ -159,9 +159,9 @@ def test_the_record_names_the_strategies():
 
 
 BAD_TURNS = [
-    (lambda now: [0.0], "expected an array of shape (2), got shape (1,)"),
-    (lambda now: 0.0, "expected an array of shape (2), got shape ()"),
-    (lambda now: [[0.0], [0.0]], "expected an array of shape (2), got shape (2, 1)"),
+    (lambda now: [0.0], "expected an array of shape (2,), got shape (1,)"),
+    (lambda now: 0.0, "expected an array of shape (2,), got shape ()"),
+    (lambda now: [[0.0], [0.0]], "expected an array of shape (2,), got shape (2, 1)"),
     (lambda now: [0.0, math.nan], "expected finite numbers"),
     (lambda now: [math.inf, 0.0], "expected finite numbers"),
     (lambda now: [0.0, 3.2], "expected radians in [-π, π], got [0.0, 3.2]"),
@@ -188,7 +188,7 @@ BAD_DECISIONS = [
     (lambda now: covey.Chase((1, 1)), "Chase: expected a sequence of living evaders [0, 1], got ["),
     (lambda now: covey.Fly((0.8, 0.7)), "Fly: expected a speed of at most 1, got 1.063"),
     (lambda now: covey.Fly((math.nan, 0.0)), "Fly.velocity: expected finite numbers"),
-    (lambda now: covey.Fly((0.1, 0.1, 0.1)), "Fly.velocity: expected an array of shape (2), got"),
+    (lambda now: covey.Fly((0.1, 0.1, 0.1)), "Fly.velocity: expected an array of shape (2,), got"),
     (lambda now: covey.Fly("north"), "Fly.velocity: expected numbers, got 'north'"),
     (lambda now: None, "pursuer's decision: expected Chase or Fly, got None"),
     (lambda now: (0, 1), "pursuer's decision: expected Chase or Fly, got (0, 1)"),
