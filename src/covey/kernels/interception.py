@@ -21,7 +21,7 @@ from covey.kernels.path import (
 )
 from covey.kernels.types import Table
 
-_ROUNDING = 2e-16
+_ROUNDING = 1e-17
 _MANY_STEPS = 12
 _MOST_STEPS = 300  # of which every second halves the bracket: these exhaust the doubles
 
@@ -84,14 +84,19 @@ def _capture_in_turn(
         else:
             break
         turned_cosine, turned_sine = cosine * cosine - sine * sine, 2.0 * sine * cosine
-        away = bend = 0.0
-        if distance > 0.0:
-            away = speed * (ahead * turned_cosine + aside * turned_sine) / distance
-            inward = 2.0 * half_rate * (aside * turned_cosine - ahead * turned_sine)
-            bend = (speed * (speed + inward) - away * away) / distance
+        nearness = 1.0 / distance if distance > 0.0 else 0.0
+        away = speed * (ahead * turned_cosine + aside * turned_sine) * nearness
+        inward = 2.0 * half_rate * (aside * turned_cosine - ahead * turned_sine)
+        bend = (speed * (speed + inward) - away * away) * nearness
         slope = pursuer_speed - away
-        closer = time + gap / (slope - 0.5 * gap * min(bend / slope, slope / gap))
-        if abs(closer - time) <= _ROUNDING * time:
+        # Where the bend would more than double the step, Newton's step is the safer one.
+        correction = max(slope * slope - 0.5 * gap * bend, 0.5 * slope * slope)
+        move = gap * slope / correction
+        closer = time + move
+        # The error after a step is of third order in it, over the square of the shortest scale.
+        sharpness = move * (2.0 * half_rate + pursuer_speed * nearness)
+        if abs(move) * min(sharpness * sharpness, 1.0) <= _ROUNDING * time:
+            time = min(max(closer, low), high)
             break
         if not low < closer < high or (step > _MANY_STEPS and step % 2):
             closer = 0.5 * (low + high)
