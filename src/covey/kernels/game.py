@@ -8,9 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from covey.kernels._jit import allocating, compiled
-from covey.kernels.ascent import AscentScratch, Columns
+from covey.kernels.ascent import AscentScratch
+from covey.kernels.columns import Columns, forget_captured
 from covey.kernels.path import HEADING, X, Y
-from covey.kernels.replanning import commit, forget_captured, replan
+from covey.kernels.replanning import commit, replan
 from covey.kernels.rules import (
     MOST_UPDATES,
     NOBODY,

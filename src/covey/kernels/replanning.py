@@ -9,7 +9,8 @@ from __future__ import annotations
 import math
 
 from covey.kernels._jit import compiled
-from covey.kernels.ascent import AscentScratch, Columns, ascend
+from covey.kernels.ascent import AscentScratch, ascend
+from covey.kernels.columns import Columns
 from covey.kernels.search import WARM_BOX, SearchScratch, search
 from covey.kernels.sequence import capture_times
 from covey.kernels.subsets import least_time
@@ -51,38 +52,6 @@ def replan(
         scratch,
     )
     return value
-
-
-@compiled
-def forget_captured(columns: Columns, n: int, row: int) -> None:
-    """Take a captured evader out of the columns of n; columns that fall together become one."""
-    kept = 0
-    for s in range(columns.used[0]):
-        k = 0
-        for j in range(n):
-            i = columns.sequences[s, j]
-            if i != row:
-                columns.sequences[kept, k] = i - (i > row)
-                k += 1
-        columns.weights[kept] = columns.weights[s]
-        twin = _twin(columns, kept, n - 1)
-        if twin >= 0:
-            columns.weights[twin] += columns.weights[kept]
-        else:
-            kept += 1
-    columns.used[0] = kept
-
-
-@compiled
-def _twin(columns: Columns, s: int, n: int) -> int:
-    """An earlier column with the same sequence, or -1."""
-    for other in range(s):
-        same = True
-        for k in range(n):
-            same = same and columns.sequences[other, k] == columns.sequences[s, k]
-        if same:
-            return other
-    return -1
 
 
 @compiled

@@ -11,7 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from covey.kernels._jit import allocating, compiled
-from covey.kernels.ascent import AscentScratch, Columns, Tally, ascend, ascent_scratch, make_columns
+from covey.kernels.ascent import AscentScratch, Tally, ascend, ascent_scratch
+from covey.kernels.columns import Columns, copy_columns, make_columns
 from covey.kernels.path import HEADING, TURN_RATE, X, Y, set_paths, wrapped
 from covey.kernels.sequence import capture_times
 from covey.kernels.subsets import least_time
@@ -87,7 +88,7 @@ def search(
             best, ended = value, how
             for i in range(n):
                 turns[i] = scratch.turns[i]
-            _copy_columns(scratch.columns, n, columns)
+            copy_columns(scratch.columns, n, columns)
     return best, ended, Tally(steps, programmes, interceptions)
 
 
@@ -192,13 +193,3 @@ def _worth(
         scratch.subsets,
     )
     return value
-
-
-@compiled
-def _copy_columns(source: Columns, n: int, target: Columns) -> None:
-    """Copy the columns of n evaders."""
-    target.used[0] = source.used[0]
-    for s in range(source.used[0]):
-        target.weights[s] = source.weights[s]
-        for k in range(n):
-            target.sequences[s, k] = source.sequences[s, k]

@@ -10,7 +10,8 @@ from enum import StrEnum
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels.ascent import CONVERGED, STALLED, STEPS_USED_UP, Columns, make_columns
+from covey.kernels.ascent import CONVERGED, STALLED, STEPS_USED_UP
+from covey.kernels.columns import Columns, make_columns
 from covey.kernels.search import CANDIDATES, search_once
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.angles import wrap_angle

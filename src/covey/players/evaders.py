@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from covey.kernels import game
-from covey.kernels.replanning import forget_captured, replan
+from covey.kernels.columns import forget_captured
+from covey.kernels.replanning import replan
 from covey.kernels.search import search_scratch
 from covey.model.checks import Floats, whole_number
 from covey.planning import plan

@@ -1,0 +1,280 @@
+"""The local model of the guaranteed time around some turns, and the step that is best for it.
+
+Each column is linear; all share the exact curvature of their Lagrangian, mended where it has a
+wrong sign. The step maximises the least of them inside a box.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from covey.kernels._jit import allocating, compiled, inlined
+from covey.kernels.columns import Columns, most_columns
+from covey.kernels.definite import diagonalise, factorise, make_positive
+from covey.kernels.quadratic import QuadraticScratch, quadratic_scratch, solve_quadratic
+from covey.kernels.sequence import CAPTURE, add_curvature, capture_times, differentiate
+from covey.kernels.types import Floats, Pursuit, Table
+
+_PENALTY = 20.0  # of the curvature, across the active columns
+
+
+class ModelScratch(NamedTuple):
+    """Arrays of the model of n turns with up to m columns."""
+
+    gradients: Floats  # (m, n)
+    captures: Floats  # (n, CAPTURE)
+    slopes: Floats  # (3, n)
+    curvature: Floats  # (n, n)
+    shaped: Floats  # (n, n) curvature made fit for the quadratic programme
+    factor: Floats  # (n, n)
+    vectors: Floats  # (n, n)
+    sizes: Floats  # (n,)
+    pull: Floats  # (n,)
+    low: Floats  # (n,)
+    high: Floats  # (n,)
+    step: Floats  # (n,) the best one
+    values: Floats  # (m,)
+    quadratic: QuadraticScratch
+
+
+@allocating
+def model_scratch(n: int) -> ModelScratch:
+    """Allocate the scratch of a model of up to n turns."""
+    m = most_columns(n)
+    return ModelScratch(
+        np.empty((m, n)),
+        np.empty((n, CAPTURE)),
+        np.empty((3, n)),
+        np.empty((n, n)),
+        np.empty((n, n)),
+        np.empty((n, n)),
+        np.empty((n, n)),
+        np.empty(n),
+        np.empty(n),
+        np.empty(n),
+        np.empty(n),
+        np.empty(n),
+        np.empty(m),
+        quadratic_scratch(n, m),
+    )
+
+
+@inlined
+def unit_of(value: float) -> float:
+    """A power of two that brings times to about one, whatever unit they come in.
+
+    The quadratic programme compares times with radians; a power of two rounds nothing.
+    """
+    return math.ldexp(1.0, -math.frexp(value)[1]) if value > 0.0 else 1.0
+
+
+@compiled
+def linearise(
+    paths: Table,
+    n: int,
+    pursuit: Pursuit,
+    columns: Columns,
+    times: Floats,
+    unit: float,
+    scratch: ModelScratch,
+) -> None:
+    """Gradients of all columns, and the curvature of their Lagrangian, sign turned."""
+    count, weights = columns.used[0], columns.weights
+    worst, total = 0, 0.0
+    for s in range(count):
+        total += weights[s]
+        if times[s, n - 1] < times[worst, n - 1]:
+            worst = s
+    if total == 0.0:
+        weights[worst] = 1.0
+    curvature = scratch.curvature
+    for i in range(n):
+        for j in range(n):
+            curvature[i, j] = 0.0
+    for s in range(count):
+        sequence = columns.sequences[s, :n]
+        differentiate(paths, pursuit, sequence, times[s], scratch.captures, scratch.gradients[s])
+        for i in range(n):
+            scratch.gradients[s, i] *= unit
+        if weights[s] > 0.0:
+            add_curvature(
+                paths,
+                pursuit,
+                sequence,
+                times[s],
+                scratch.captures,
+                -weights[s] * unit,
+                scratch.slopes,
+                curvature,
+            )
+
+
+@compiled
+def linearise_one(
+    paths: Table,
+    n: int,
+    pursuit: Pursuit,
+    columns: Columns,
+    s: int,
+    times: Table,
+    unit: float,
+    scratch: ModelScratch,
+) -> None:
+    """Capture times and gradient, at the present turns, of a column that joined at other ones."""
+    sequence = columns.sequences[s, :n]
+    capture_times(paths, pursuit, sequence, times[s])
+    differentiate(paths, pursuit, sequence, times[s], scratch.captures, scratch.gradients[s])
+    for i in range(n):
+        scratch.gradients[s, i] *= unit
+
+
+@compiled
+def shape(
+    n: int, columns: Columns, times: Table, straighten: bool, unit: float, scratch: ModelScratch
+) -> bool:
+    """Factor the curvature for the quadratic programme; return whether it was straightened.
+
+    The columns that are active decide the step along the differences of their gradients, whatever
+    the curvature there. Where the curvature has a wrong sign, a penalty on missing the point where
+    those columns agree makes it right without moving that point (an augmented Lagrangian), and
+    Newton's method stays quadratic. Without it the sign is mended by force, which is slow but safe.
+    """
+    for i in range(n):
+        scratch.pull[i] = 0.0
+    if factorise(scratch.curvature, n, scratch.factor):
+        return False
+    _copy_curvature(n, scratch)
+    straightened = straighten and _penalise(n, columns, times, unit, scratch)
+    if not factorise(scratch.shaped, n, scratch.factor):
+        make_positive(scratch.shaped, n, scratch.vectors, scratch.sizes)
+        factorise(scratch.shaped, n, scratch.factor)
+    return straightened
+
+
+@compiled
+def direction_upwards(
+    n: int, columns: Columns, times: Table, unit: float, scratch: ModelScratch
+) -> bool:
+    """Write the direction that bends upwards most, seen along the active columns, to the step.
+
+    Returns False if there is none. Where no gradient is left, the turns are then at a saddle.
+    """
+    if factorise(scratch.curvature, n, scratch.factor):
+        return False
+    _copy_curvature(n, scratch)
+    _penalise(n, columns, times, unit, scratch)
+    if factorise(scratch.shaped, n, scratch.factor):
+        return False
+    diagonalise(scratch.shaped, n, scratch.vectors)
+    upwards = 0
+    for k in range(n):
+        if scratch.shaped[k, k] < scratch.shaped[upwards, upwards]:
+            upwards = k
+    for i in range(n):
+        scratch.step[i] = scratch.vectors[i, upwards]
+    return True
+
+
+@inlined
+def _copy_curvature(n: int, scratch: ModelScratch) -> None:
+    for i in range(n):
+        for j in range(i + 1):
+            scratch.shaped[i, j] = scratch.curvature[i, j]
+
+
+@compiled
+def _penalise(n: int, columns: Columns, times: Table, unit: float, scratch: ModelScratch) -> bool:
+    """Add to `shaped` and `pull` the penalty on active columns that differ; False if none do."""
+    shaped, pull, mean, gradients = scratch.shaped, scratch.pull, scratch.step, scratch.gradients
+    weights, count = columns.weights, columns.used[0]
+    value = size = 0.0
+    for i in range(n):
+        mean[i] = 0.0
+        for j in range(i + 1):
+            size = max(size, abs(shaped[i, j]))
+    for s in range(count):
+        value += weights[s] * times[s, n - 1]
+        for i in range(n):
+            mean[i] += weights[s] * gradients[s, i]
+    shortest = math.inf
+    for s in range(count):
+        if weights[s] > 0.0:
+            length = 0.0
+            for i in range(n):
+                length += (gradients[s, i] - mean[i]) ** 2
+            if length > 0.0:
+                shortest = min(shortest, length)
+    if shortest == math.inf:
+        return False
+    penalty = _PENALTY * size / shortest
+    for s in range(count):
+        if weights[s] > 0.0:
+            for i in range(n):
+                off = penalty * (gradients[s, i] - mean[i])
+                pull[i] -= off * unit * (times[s, n - 1] - value)
+                for j in range(i + 1):
+                    shaped[i, j] += off * (gradients[s, j] - mean[j])
+    return True
+
+
+@compiled
+def best_step(
+    turns: Floats,
+    n: int,
+    columns: Columns,
+    times: Floats,
+    box: float,
+    unit: float,
+    scratch: ModelScratch,
+) -> float:
+    """Write the step that the model thinks best inside the box; return the value it promises."""
+    for s in range(columns.used[0]):
+        scratch.values[s] = unit * times[s, n - 1]
+    return _solve(turns, n, columns, box, scratch) / unit
+
+
+@compiled
+def corrected_step(
+    turns: Floats,
+    trial: Floats,
+    n: int,
+    columns: Columns,
+    tried: Table,
+    box: float,
+    unit: float,
+    scratch: ModelScratch,
+) -> None:
+    """Write a second-order correction of the step: what the model missed, added to its values.
+
+    Each column's own curvature differs from the Lagrangian's, so where several are active the least
+    of them falls short of the promise, however small the step (the Maratos effect).
+    """
+    for s in range(columns.used[0]):
+        scratch.values[s] = unit * tried[s, n - 1]
+        for i in range(n):
+            scratch.values[s] -= scratch.gradients[s, i] * (trial[i] - turns[i])
+    _solve(turns, n, columns, box, scratch)
+
+
+@compiled
+def _solve(turns: Floats, n: int, columns: Columns, box: float, scratch: ModelScratch) -> float:
+    """Solve the quadratic programme for `scratch.values`, turns kept in the box and in [-π, π]."""
+    for i in range(n):
+        scratch.low[i] = max(-math.pi - turns[i], -box)
+        scratch.high[i] = min(math.pi - turns[i], box)
+    return solve_quadratic(
+        n,
+        columns.used[0],
+        scratch.values,
+        scratch.gradients,
+        scratch.factor,
+        scratch.pull,
+        scratch.low,
+        scratch.high,
+        scratch.step,
+        columns.weights,
+        scratch.quadratic,
+    )
