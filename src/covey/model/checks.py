@@ -25,14 +25,13 @@ class InputError(ValueError):
 
 def frozen_array(name: str, value: object, shape: tuple[int | None, ...]) -> Floats:
     """Copy `value` to a read-only array of finite floats of `shape` (None: any length)."""
-    wanted = "(" + ", ".join("N" if n is None else str(n) for n in shape)
-    wanted += ",)" if len(shape) == 1 else ")"
     array = _numbers(name, value)
-    matches = array.ndim == len(shape) and all(
-        n is None or n == m for n, m in zip(shape, array.shape, strict=True)
-    )
-    if not matches:
-        raise InputError(f"{name}: expected an array of shape {wanted}, got shape {array.shape}")
+    if array.ndim != len(shape) or any(
+        n not in (None, m) for n, m in zip(shape, array.shape, strict=True)
+    ):
+        wanted = ", ".join("N" if n is None else str(n) for n in shape)
+        wanted += "," if len(shape) == 1 else ""
+        raise InputError(f"{name}: expected an array of shape ({wanted}), got shape {array.shape}")
     _reject(name, array, ~(np.abs(array) <= LARGEST), f"finite numbers up to {LARGEST:g} in size")
     array.flags.writeable = False
     return array

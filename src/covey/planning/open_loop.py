@@ -209,6 +209,8 @@ def columns_of(plan: Plan) -> Columns:
 
 
 def _turns_of(warm_start: Plan | npt.ArrayLike, team: Team) -> Floats:
+    if isinstance(warm_start, Plan) and len(warm_start.turns) == len(team):
+        return np.where(team.turn_rates > 0.0, warm_start.turns, 0.0)
     turns = warm_start.turns if isinstance(warm_start, Plan) else warm_start
     checked = frozen_array("warm_start", turns, (len(team),))
     if np.abs(checked).max() > math.pi:
