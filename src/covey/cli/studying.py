@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +19,7 @@ from rich.progress import (
 from rich.table import Table
 
 from covey.cli.outputs import print_saved
-from covey.model import InputError
+from covey.cli.sources import path_of
 from covey.studies import (
     Line,
     Study,
@@ -38,14 +37,7 @@ _HEADINGS = {"team_size": "team", "turn_rate": "turn rate", "update_time": "upda
 
 def study_path(name: str) -> Path:
     """Return the file of a study, given by its path or by the name of one that comes with covey."""
-    path, examples = Path(name), example_names()
-    if path.exists():
-        return path
-    if name in examples:
-        return example_path(name)
-    close = get_close_matches(path.stem, examples, n=1)
-    advice = f'did you mean "{close[0]}"?' if close else f"with covey come {', '.join(examples)}"
-    raise InputError(f"{name}: no such file, and no study of that name; {advice}")
+    return path_of(name, "study", {each: example_path(each) for each in example_names()})
 
 
 def follow(

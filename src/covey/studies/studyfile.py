@@ -8,13 +8,13 @@ starts, seed, sampler, trajectories
 from __future__ import annotations
 
 import os
-import tomllib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 from covey.model import InputError
-from covey.scenarios.mistakes import Mistake, Place, unknown_key, wanted_but_got
+from covey.scenarios.load import read_document
+from covey.scenarios.mistakes import Mistake, Place, require_none, unknown_key, wanted_but_got
 from covey.studies.kinds import FIELDS
 from covey.studies.study import GRID, Study
 
@@ -47,25 +47,12 @@ def read_study(path: str | os.PathLike[str]) -> Study:
         wanted, what came.
     """
     file = Path(path)
-    values, mistakes = _read(_document(file))
-    if mistakes:
-        count = "1 mistake" if len(mistakes) == 1 else f"{len(mistakes)} mistakes"
-        raise InputError("\n  ".join([f"{file}: {count}", *map(str, mistakes)]))
+    values, mistakes = _read(read_document(file, "a study"))
+    require_none(mistakes, file)
     try:
         return Study(**values)
     except InputError as error:  # what is right by itself may not fit together
         raise InputError(f"{file}: {str(error).removeprefix('study: ')}") from None
-
-
-def _document(file: Path) -> dict[str, Any]:
-    try:
-        return tomllib.loads(file.read_bytes().decode("utf-8-sig"))
-    except OSError as error:
-        raise InputError(f"{file}: can't be read: {error.strerror}") from error
-    except UnicodeDecodeError as error:
-        raise InputError(f"{file}: expected a study in TOML, got a binary file") from error
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{file}: expected a study in TOML: {error}") from error
 
 
 def _read(document: Mapping[str, Any]) -> tuple[dict[str, Any], list[Mistake]]:
