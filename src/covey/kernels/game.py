@@ -139,11 +139,12 @@ def play(
     n = state.alive[0]
     order, times = np.full(n, NOBODY), np.full(n, math.inf)
     captured, page, updates = 0, 0, 0
+    worth = -math.inf  # of the plan that is flown
     pages = blank_pages(256 if recorded else 1, n)
     scratch, sequence_times = search.ascent, np.empty(n)
     while state.alive[0] > 0 and state.time[0] < rules.time_limit and updates < MOST_UPDATES:
         updates += 1
-        alive = state.alive[0]
+        alive, before = state.alive[0], state.time[0]
         announce(state, rules)
         pursuit = pursuit_from(state, rules)
         commit(state.paths, alive, pursuit, margin, known, sequence, sequence_times, scratch)
@@ -162,7 +163,7 @@ def play(
             remove(state, taken)
         played_on = state.time[0] < rules.time_limit and updates < MOST_UPDATES
         if team.replans and state.alive[0] > 0 and played_on:
-            replan(
+            worth = replan(
                 state.evaders,
                 state.alive[0],
                 pursuit_from(state, rules),
@@ -170,6 +171,7 @@ def play(
                 team.restarts if taken != NOBODY else 0,
                 team.tolerance,
                 team.most_steps,
+                worth - (state.time[0] - before),
                 state.turns,
                 columns,
                 search,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -23,6 +24,9 @@ from covey.planning.open_loop import (
     start_noise,
 )
 from covey.simulation import Situation, TeamPolicy
+
+REPLAN_TOLERANCE = 1e-7
+"""An update ends when a step promises less than this, relative; the next goes on from there."""
 
 
 @dataclass(frozen=True)
@@ -93,7 +97,7 @@ class IterativeOpenLoop:
 
     def compiled(self) -> game.TeamPolicy:
         """Return the policy of a compiled game."""
-        return game.TeamPolicy(True, self.restarts, DEFAULT_TOLERANCE, MOST_STEPS)
+        return game.TeamPolicy(True, self.restarts, REPLAN_TOLERANCE, MOST_STEPS)
 
     def start(self, seed: int) -> TeamPolicy:
         """Return the policy of one game."""
@@ -101,11 +105,12 @@ class IterativeOpenLoop:
 
 
 class _Replanning:
-    """The memory of an iterative open-loop team: its columns, and who lived at the last update."""
+    """The memory of an iterative open-loop team: what it flew at the last update."""
 
     def __init__(self, strategy: IterativeOpenLoop, seed: int) -> None:
         self._strategy, self._seed = strategy, seed
         self._living: tuple[int, ...] = ()
+        self._time, self._worth = 0.0, -math.inf  # of the last plan
 
     def __call__(self, situation: Situation) -> Floats:
         if not self._living:
@@ -119,18 +124,20 @@ class _Replanning:
         else:
             restarts = 0
         turns = situation.turns.copy()
-        replan(
+        self._worth = replan(
             situation.team.as_rows(),
             len(turns),
             pursuit_of(situation.disk),
             self._noise,
             restarts,
-            DEFAULT_TOLERANCE,
+            REPLAN_TOLERANCE,
             MOST_STEPS,
+            self._worth - (situation.time - self._time),
             turns,
             self._columns,
             self._scratch,
         )
+        self._time = situation.time
         return turns
 
     def _begin(self, situation: Situation) -> Floats:
@@ -140,4 +147,5 @@ class _Replanning:
         self._columns = columns_of(first)
         self._noise = start_noise(self._seed, self._strategy.restarts, n)
         self._scratch = search_scratch(n)
+        self._time = situation.time
         return np.array(first.turns)
