@@ -15,6 +15,7 @@ import casadi as ca
 import numpy as np
 
 from peers.enumeration import Sequences, capture_times
+from peers.peer import Peer
 
 TOLERANCE = 1e-8
 """IPOPT's, on its scaled optimality conditions: survival times agree to 1e-9 with the planner's."""
@@ -37,10 +38,11 @@ _WARM_OPTIONS = _OPTIONS | {
 }
 
 
-class Ipopt:
+class Ipopt(Peer):
     """The interior-point method, from turns alone or with the multipliers of a moment ago."""
 
     name = "CasADi and IPOPT"
+    largest = 6
 
     def __init__(self, count):
         self.sequences = Sequences(count)
@@ -53,13 +55,13 @@ class Ipopt:
             "lbg": 0.0,
             "ubg": np.repeat([0.0, math.inf], [equations, programme["g"].numel() - equations]),
         }
-        self.cold = ca.nlpsol("cold", "ipopt", programme, _OPTIONS)
-        self.warm = ca.nlpsol("warm", "ipopt", programme, _WARM_OPTIONS)
+        self.from_turns = ca.nlpsol("cold", "ipopt", programme, _OPTIONS)
+        self.from_multipliers = ca.nlpsol("warm", "ipopt", programme, _WARM_OPTIONS)
 
-    def solve(self, team, disk, turns, memory=None):
+    def solve(self, team, disk, turns, memory):
         """Return the turns of a local maximum, from `turns`, and the multipliers there."""
         times = capture_times(self.sequences, team, disk, turns)
-        answer = (self.warm if memory else self.cold)(
+        answer = (self.from_multipliers if memory else self.from_turns)(
             x0=np.concatenate([turns, [times[-1].min()], *times]),
             p=_numbers(team, disk),
             **self.limits,

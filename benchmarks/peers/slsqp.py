@@ -8,20 +8,22 @@ import numpy as np
 from scipy.optimize import minimize
 
 from peers.enumeration import Sequences, capture_times, times_and_gradients
+from peers.peer import Peer
 
 TOLERANCE = 1e-9
 """Change of the survival time at which SLSQP stops."""
 
 
-class Slsqp:
+class Slsqp(Peer):
     """Sequential quadratic programming with the exact gradients of all N! times."""
 
     name = "SLSQP, exact gradients"
+    largest = 7
 
     def __init__(self, count):
         self.sequences = Sequences(count)
 
-    def solve(self, team, disk, turns, memory=None):
+    def solve(self, team, disk, turns, memory):
         """Return the turns of a local maximum, from `turns`; SLSQP has nothing to remember."""
         values, gradients = self._functions(team, disk)
         upwards = np.append(np.zeros(len(team)), -1.0)

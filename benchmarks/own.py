@@ -1,0 +1,145 @@
+"""This planner as a compiled game calls it, and as a caller in Python does.
+
+What is compiled reads the clock itself: a call from Python would add the unpacking of its
+arguments, some 10 µs, which no game pays.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import time
+
+import numba
+import numpy as np
+
+import covey
+from covey.kernels.columns import copy_columns
+from covey.kernels.replanning import replan
+from covey.kernels.search import search, search_scratch
+from covey.planning.guarantee import pursuit_of
+from covey.planning.open_loop import DEFAULT_TOLERANCE, MOST_STEPS, columns_of, start_noise
+from stopwatch import now
+
+REPEATS = 5
+"""Times that compiled code solves the same problem, of which the median counts."""
+
+
+@numba.njit
+def timed_replan(repeats, evaders, pursuit, noise, left, known, turns, columns, scratch):
+    """Median time and value of replans from what is left of a plan and the columns it had."""
+    n, value, reading, seconds = len(left), 0.0, np.zeros(2, np.int64), np.empty(repeats)
+    for k in range(repeats):
+        turns[:] = left
+        copy_columns(known, n, columns)
+        start = now(reading)
+        value = replan(
+            evaders, n, pursuit, noise, 0, DEFAULT_TOLERANCE, MOST_STEPS, turns, columns, scratch
+        )
+        seconds[k] = now(reading) - start
+    return np.median(seconds), value
+
+
+@numba.njit
+def timed_plan(repeats, evaders, pursuit, noise, turns, columns, scratch):
+    """Median time and value of plans from one start."""
+    n, value, reading, seconds = len(turns), 0.0, np.zeros(2, np.int64), np.empty(repeats)
+    for k in range(repeats):
+        start = now(reading)
+        value, _, _ = search(
+            evaders,
+            n,
+            pursuit,
+            noise,
+            0,
+            1,
+            -math.inf,
+            DEFAULT_TOLERANCE,
+            MOST_STEPS,
+            turns,
+            columns,
+            scratch,
+        )
+        seconds[k] = now(reading) - start
+    return np.median(seconds), value
+
+
+class Compiled:
+    """As in a compiled game."""
+
+    name = "covey, compiled"
+    largest = 18
+
+    def __init__(self, size):
+        self.noise, self.scratch = start_noise(0, 1, size), search_scratch(size)
+
+    def warm(self, moment):
+        """Return the seconds of a replan, and the value it reaches."""
+        return timed_replan(REPEATS, *self.warm_arguments(moment))
+
+    def cold(self, moment):
+        """Return the seconds of a plan from straight flight away, and the value it reaches."""
+        return timed_plan(REPEATS, *self.cold_arguments(moment))
+
+    def warm_arguments(self, moment):
+        """What `timed_replan` wants besides the number of repeats."""
+        return (
+            moment.later_team.as_rows(),
+            pursuit_of(moment.later_disk),
+            self.noise,
+            moment.left,
+            columns_of(moment.plan),
+            moment.left.copy(),
+            columns_of(moment.plan),
+            self.scratch,
+        )
+
+    def cold_arguments(self, moment):
+        """What `timed_plan` wants besides the number of repeats."""
+        return (
+            moment.team.as_rows(),
+            pursuit_of(moment.disk),
+            self.noise,
+            moment.away.copy(),
+            columns_of(moment.plan),
+            self.scratch,
+        )
+
+
+class FromPython:
+    """`covey.plan`, with its checks, its scratch and its record."""
+
+    name = "covey.plan"
+    largest = 18
+
+    def __init__(self, size):
+        pass
+
+    def warm(self, moment):
+        """Return the seconds of a plan from what is left of the last one, and its value."""
+        return _timed(lambda: replanned(moment))
+
+    def cold(self, moment):
+        """Return the seconds of a plan from straight flight away, and its value."""
+        return _timed(lambda: planned(moment))
+
+    def best(self, moment):
+        """Return the seconds of a plan by default, the best of many starts, and its value."""
+        return _timed(lambda: covey.plan(moment.team, moment.disk))
+
+
+def replanned(moment):
+    """Return the plan of one update later, from what is left of the first one alone."""
+    left = dataclasses.replace(moment.plan, turns=moment.left)
+    return covey.plan(moment.later_team, moment.later_disk, starts=1, warm_start=left)
+
+
+def planned(moment):
+    """Return the plan from straight flight away alone."""
+    return covey.plan(moment.team, moment.disk, starts=1)
+
+
+def _timed(plan):
+    start = time.perf_counter()
+    value = plan().survival_time
+    return time.perf_counter() - start, value
