@@ -21,10 +21,6 @@ from covey.planning.guarantee import pursuit_of
 from covey.planning.open_loop import DEFAULT_TOLERANCE, MOST_STEPS, columns_of, start_noise
 from stopwatch import now
 
-REPEATS = 5
-"""Times that compiled code solves the same problem, of which the median counts."""
-
-
 @numba.njit
 def timed_replan(repeats, evaders, pursuit, noise, left, known, turns, columns, scratch):
     """Median time and value of replans from what is left of a plan and the columns it had."""
@@ -71,15 +67,16 @@ class Compiled:
     largest = 18
 
     def __init__(self, size):
+        self.repeats = 5 if size <= 10 else 1  # the median counts
         self.noise, self.scratch = start_noise(0, 1, size), search_scratch(size)
 
     def warm(self, moment):
         """Return the seconds of a replan, and the value it reaches."""
-        return timed_replan(REPEATS, *self.warm_arguments(moment))
+        return timed_replan(self.repeats, *self.warm_arguments(moment))
 
     def cold(self, moment):
         """Return the seconds of a plan from straight flight away, and the value it reaches."""
-        return timed_plan(REPEATS, *self.cold_arguments(moment))
+        return timed_plan(self.repeats, *self.cold_arguments(moment))
 
     def warm_arguments(self, moment):
         """What `timed_replan` wants besides the number of repeats."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import time
 from collections import defaultdict
 from typing import NamedTuple
 
@@ -13,8 +14,8 @@ from peers.slsqp import Slsqp, SlsqpByDifferences
 
 SIZES = tuple(range(2, 16))
 MOST_GAMES = 200
-SECONDS = 5.0
-"""After these a method takes no further part at a size."""
+METHOD_SECONDS, SIZE_SECONDS = 5.0, 30.0
+"""After these a method takes no further part at a size, and a size has no further games."""
 
 METHODS = (Compiled, FromPython, Slsqp, SlsqpByDifferences, Ipopt)
 TASKS = ("warm", "cold", "best")
@@ -59,13 +60,15 @@ def measure(size):
 def _play(size):
     solvers = {method: method(size) for method, _ in pairs(size)}
     runs = [(method.name, task, getattr(solvers[method], task)) for method, task in pairs(size)]
-    solves, spent = [], defaultdict(float)
+    solves, spent, begun = [], defaultdict(float), time.perf_counter()
     for game, moment in enumerate(itertools.islice(moments(size), MOST_GAMES)):
         for name, task, run in runs:
-            if spent[name, task] < SECONDS:
+            if spent[name, task] < METHOD_SECONDS:
                 seconds, value = run(moment)
                 solves.append(Solve(size, game, task, name, seconds, value))
                 spent[name, task] += seconds
+        if time.perf_counter() - begun > SIZE_SECONDS:
+            break
     return solves
 
 

@@ -118,7 +118,7 @@ class _Paths:
 
 
 def _earliest(paths, i, centers, radius, start, pursuer_speed):
-    """`mincap` for many at once: eq. (7), in closed form after the turn, by Newton's method in it."""
+    """`mincap` for many at once: eq. (7), closed form after the turn, Newton's method in it."""
     velocities = paths.speeds[i][:, None] * paths.directions[i]
     gaps = paths.corners[i] + (start - paths.ends[i])[:, None] * velocities - centers
     b = np.einsum("sx,sx->s", gaps, velocities) - pursuer_speed * radius

@@ -226,7 +226,83 @@ UNEQUAL = {
     ),
 }
 
+# Random games of which a search was once content with a large turn during which the evader is
+# caught, although a small one is better: on such a plateau nothing says which way leads off it.
+CAUGHT_TURNING = {
+    "two on one spot, better hardly turning": (
+        covey.Team([(0.3106, 0.3218)] * 2, [-0.6131, 0.6463]),
+        covey.PursuerDisk(radius=0.1),
+    ),
+    "three on one spot, one better hardly turning": (
+        covey.Team([(0.4596, 0.2943)] * 3, [0.9238, -2.6098, -0.0082]),
+        covey.PursuerDisk(radius=0.1),
+    ),
+    "two that can hardly turn, one better straight": (
+        covey.Team([(0.2215, -0.3288), (0.0646, 0.1127)], [-1.2162, -1.9868], 0.25, 0.1),
+        POINT,
+    ),
+    "three that can hardly turn, two better straight": (
+        covey.Team(
+            [(0.0386, -0.0441), (0.0038, -0.089), (0.1, -0.0254)],
+            [-1.1403, 1.4689, 0.8185],
+            0.25,
+            0.6,
+        ),
+        POINT,
+    ),
+    "three in line, one better turning less": (
+        covey.Team([(0.4377, 0.2), (0.2239, 0.2), (0.54, 0.2)], [1.7163, -0.4607, 0.9353]),
+        POINT,
+    ),
+    "a mirrored pair and one behind, one better straight": (
+        covey.Team(
+            [(0.2312, -0.1961), (0.2312, 0.1961), (-0.1384, 0.0)], [-2.3738, 2.3738, math.pi]
+        ),
+        covey.PursuerDisk(radius=0.1),
+    ),
+    "three, one fast": (
+        covey.Team(
+            [(-0.493, 0.1208), (0.207, 0.3179), (0.4839, -0.1653)],
+            [-0.4588, -2.3863, 2.8931],
+            [0.25, 0.9, 0.25],
+        ),
+        POINT,
+    ),
+}
+
 GAMES = (
     COINCIDENT | MIRRORED | IN_THE_DISK | INDISTINGUISHABLE | HALF_TURNS | PLATEAUS | COLLINEAR
-    | UNEQUAL
+    | UNEQUAL | CAUGHT_TURNING
 )  # fmt: skip
+
+# The best of 500 starts with each of three seeds. Whoever finds more writes it here.
+BEST_KNOWN = {
+    "four on one spot": 0.850407249,
+    "two pairs": 2.207264984,
+    "five, two of them on one spot": 4.071800998,
+    "five on one spot": 0.578751125,
+    "eight on one spot": 0.579249180,
+    "two mirrored pairs": 5.580434326,
+    "two mirrored pairs, a disk": 5.188445089,
+    "a square and its centre": 5.029110046,
+    "three mirrored pairs": 6.508716259,
+    "two of four in the disk": 2.302783349,
+    "all five in the disk": 0.778015329,
+    "all four on the border, one inward": 1.410238772,
+    "4 at the corners of a polygon, away": 5.927027141,
+    "4 at the corners of a polygon, aside": 5.089682517,
+    "4 at the corners of a polygon, inward": 2.024557556,
+    "5 at the corners of a polygon, away": 6.938252788,
+    "5 at the corners of a polygon, aside": 5.956674276,
+    "5 at the corners of a polygon, inward": 2.308655953,
+    "6 at the corners of a polygon, away": 7.662614250,
+    "6 at the corners of a polygon, aside": 6.577569697,
+    "6 at the corners of a polygon, inward": 2.565750876,
+    "8 at the corners of a polygon, away": 9.723055601,
+    "8 at the corners of a polygon, aside": 8.187775852,
+    "8 at the corners of a polygon, inward": 3.363920210,
+    "five that fly at the pursuer, far": 19.006403928,
+    "five that can hardly turn": 1.664308212,
+    "five in line that flee": 0.761255896,
+    "five, of which two stand": 2.065277397,
+}
