@@ -19,7 +19,7 @@ from covey.planning.guarantee import pursuit_of
 from interpreted import Watch
 from moments import moments
 from own import Compiled, planned, replanned, timed_plan, timed_replan
-from rounds import SAME
+from peers.peer import SAME
 from stopwatch import now
 
 MOST_GAMES, SECONDS = 20, 5.0
@@ -85,7 +85,7 @@ def _account(task, size, run, driver, arguments, plan):
         raise AssertionError(f"no plan calls these kernels any more: {sorted(unknown)}")
     total, each, interceptions, begun = 0.0, 0.0, 0, time.perf_counter()
     for games, moment in enumerate(moments(size), start=1):
-        seconds, value = run(moment)
+        seconds, value, _ = run(moment)
         _, retraced = step_by_step(1, *arguments(moment))
         if abs(retraced - value) > SAME * value:
             raise AssertionError(f"step by step, the solve came to {retraced}, not to {value}")

@@ -1,4 +1,4 @@
-"""The games that are measured: the start of each, and one update later."""
+"""The games that are measured: the start of each, one update later, and what a method answers."""
 
 from __future__ import annotations
 
@@ -27,6 +27,14 @@ class Moment(NamedTuple):
     later_team: covey.Team
     later_disk: covey.PursuerDisk
     left: np.ndarray  # (N,) what is left of the plan's turns
+
+
+class Answer(NamedTuple):
+    """What a method took and reached on a moment."""
+
+    seconds: float
+    value: float
+    settled: bool = True  # whether this planner, starting from there, finds nothing better
 
 
 def moments(size):

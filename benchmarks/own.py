@@ -19,7 +19,9 @@ from covey.kernels.replanning import replan
 from covey.kernels.search import search, search_scratch
 from covey.planning.guarantee import pursuit_of
 from covey.planning.open_loop import DEFAULT_TOLERANCE, MOST_STEPS, columns_of, start_noise
+from moments import Answer
 from stopwatch import now
+
 
 @numba.njit
 def timed_replan(repeats, evaders, pursuit, noise, left, known, turns, columns, scratch):
@@ -71,12 +73,12 @@ class Compiled:
         self.noise, self.scratch = start_noise(0, 1, size), search_scratch(size)
 
     def warm(self, moment):
-        """Return the seconds of a replan, and the value it reaches."""
-        return timed_replan(self.repeats, *self.warm_arguments(moment))
+        """Replan from what is left of the last plan."""
+        return Answer(*timed_replan(self.repeats, *self.warm_arguments(moment)))
 
     def cold(self, moment):
-        """Return the seconds of a plan from straight flight away, and the value it reaches."""
-        return timed_plan(self.repeats, *self.cold_arguments(moment))
+        """Plan from straight flight away."""
+        return Answer(*timed_plan(self.repeats, *self.cold_arguments(moment)))
 
     def warm_arguments(self, moment):
         """What `timed_replan` wants besides the number of repeats."""
@@ -113,15 +115,15 @@ class FromPython:
         pass
 
     def warm(self, moment):
-        """Return the seconds of a plan from what is left of the last one, and its value."""
+        """Replan from what is left of the last plan."""
         return _timed(lambda: replanned(moment))
 
     def cold(self, moment):
-        """Return the seconds of a plan from straight flight away, and its value."""
+        """Plan from straight flight away."""
         return _timed(lambda: planned(moment))
 
     def best(self, moment):
-        """Return the seconds of a plan by default, the best of many starts, and its value."""
+        """Plan by default, the best of many starts."""
         return _timed(lambda: covey.plan(moment.team, moment.disk))
 
 
@@ -139,4 +141,4 @@ def planned(moment):
 def _timed(plan):
     start = time.perf_counter()
     value = plan().survival_time
-    return time.perf_counter() - start, value
+    return Answer(time.perf_counter() - start, value)

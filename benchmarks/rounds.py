@@ -20,8 +20,6 @@ METHOD_SECONDS, SIZE_SECONDS = 5.0, 30.0
 METHODS = (Compiled, FromPython, Slsqp, SlsqpByDifferences, Ipopt)
 TASKS = ("warm", "cold", "best")
 REFERENCE = Compiled.name
-SAME = 1e-6
-"""Values that differ by less than this, relative, are the same local maximum."""
 
 
 class Solve(NamedTuple):
@@ -33,6 +31,7 @@ class Solve(NamedTuple):
     method: str
     seconds: float
     value: float
+    settled: bool
 
 
 def pairs(size):
@@ -64,9 +63,9 @@ def _play(size):
     for game, moment in enumerate(itertools.islice(moments(size), MOST_GAMES)):
         for name, task, run in runs:
             if spent[name, task] < METHOD_SECONDS:
-                seconds, value = run(moment)
-                solves.append(Solve(size, game, task, name, seconds, value))
-                spent[name, task] += seconds
+                answer = run(moment)
+                solves.append(Solve(size, game, task, name, *answer))
+                spent[name, task] += answer.seconds
         if time.perf_counter() - begun > SIZE_SECONDS:
             break
     return solves

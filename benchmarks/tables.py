@@ -3,26 +3,21 @@
 from __future__ import annotations
 
 import csv
+import math
 from typing import NamedTuple
 
 import numpy as np
 
-from rounds import REFERENCE, SAME
-
-
-class Agreement(NamedTuple):
-    """In how many games a method came to the same value, a better one, a worse one.
-
-    Both start from the same turns, but may climb to different local maxima.
-    """
-
-    equal: int
-    better: int
-    worse: int
+from peers.peer import SAME
+from rounds import REFERENCE
 
 
 class Row(NamedTuple):
-    """One method at one size and task; times in microseconds, ratios to this planner."""
+    """One method at one size and task; times in microseconds, then numbers of games.
+
+    Methods start from the same turns, but may climb to different local maxima; `ratio`, to this
+    planner compiled, is the median over the games in which both reach the same value.
+    """
 
     size: int
     task: str
@@ -30,31 +25,26 @@ class Row(NamedTuple):
     games: int
     median: float
     percentile_99: float
-    ratio: float  # median over the games in which both reach the same value
+    ratio: float
     equal: int
     better: int
     worse: int
-
-
-def agreement(solves, task, method):
-    """Compare a method's values with those of this planner."""
-    gains = np.array([gain for _, gain in _compared(solves, task, method)])
-    better, worse = int((gains > SAME).sum()), int((gains < -SAME).sum())
-    return Agreement(len(gains) - better - worse, better, worse)
+    settled: int  # ended in a local maximum
 
 
 def rows(solves):
     """Return a `Row` for each method and task of one size, in the order in which they ran."""
-    return [
-        _row(solves, task, method)
-        for task, method in dict.fromkeys((s.task, s.method) for s in solves)
-    ]
+    return [_row(solves, *which) for which in dict.fromkeys((s.task, s.method) for s in solves)]
 
 
 def _row(solves, task, method):
     own = [s for s in solves if (s.task, s.method) == (task, method)]
+    ours = {s.game: s for s in solves if (s.task, s.method) == (task, REFERENCE)}
+    met = [(s, ours[s.game]) for s in own if s.game in ours]
     times = 1e6 * np.array([s.seconds for s in own])
-    ratios = [ratio for ratio, gain in _compared(solves, task, method) if abs(gain) <= SAME]
+    ratios = np.array([s.seconds / our.seconds for s, our in met])
+    gains = np.array([s.value / our.value - 1.0 for s, our in met])
+    equal = np.abs(gains) <= SAME
     return Row(
         own[0].size,
         task,
@@ -62,19 +52,12 @@ def _row(solves, task, method):
         len(own),
         float(np.median(times)),
         float(np.quantile(times, 0.99)),
-        float(np.median(ratios)) if ratios else float("nan"),
-        *agreement(solves, task, method),
+        float(np.median(ratios[equal])) if equal.any() else math.nan,
+        int(equal.sum()),
+        int((gains > SAME).sum()),
+        int((gains < -SAME).sum()),
+        sum(s.settled for s in own),
     )
-
-
-def _compared(solves, task, method):
-    """For each game that both played: ratio of the times, relative gain in value."""
-    ours = {s.game: s for s in solves if (s.task, s.method) == (task, REFERENCE)}
-    return [
-        (s.seconds / ours[s.game].seconds, s.value / ours[s.game].value - 1.0)
-        for s in solves
-        if (s.task, s.method) == (task, method) and s.game in ours
-    ]
 
 
 def write_csv(path, records):
@@ -101,5 +84,5 @@ def markdown(records):
 
 def _cell(value):
     if isinstance(value, float):
-        return "" if value != value else f"{value:.3g}" if abs(value) < 1e3 else f"{value:,.0f}"
+        return "" if math.isnan(value) else f"{value:.3g}" if abs(value) < 1e3 else f"{value:,.0f}"
     return str(value)

@@ -5,6 +5,10 @@ from __future__ import annotations
 import time
 
 import covey
+from moments import Answer
+
+SAME = 1e-6
+"""Values that differ by less than this, relative, are the same local maximum."""
 
 
 class Peer:
@@ -14,11 +18,11 @@ class Peer:
     """
 
     def cold(self, moment):
-        """Return the seconds from straight flight away to a local maximum, and its value."""
+        """Plan from straight flight away."""
         return self._timed(moment.team, moment.disk, moment.away, None)
 
     def warm(self, moment):
-        """Return the seconds of a replan from what is left of the last plan, and its value.
+        """Replan from what is left of the last plan.
 
         A peer that can carries its multipliers over from that plan, as this planner does.
         """
@@ -29,4 +33,6 @@ class Peer:
         start = time.perf_counter()
         found, _ = self.solve(team, disk, turns, memory)
         seconds = time.perf_counter() - start
-        return seconds, covey.guaranteed_survival(team, disk, found).time
+        value = covey.guaranteed_survival(team, disk, found).time
+        further = covey.plan(team, disk, starts=1, warm_start=found).survival_time
+        return Answer(seconds, value, further <= value * (1.0 + SAME))

@@ -10,10 +10,8 @@ from games import random_game, random_turns
 from kernels import calls, reference
 from peers.enumeration import Sequences, times_and_gradients
 from peers.ipopt import Ipopt
+from peers.peer import SAME
 from peers.slsqp import Slsqp, SlsqpByDifferences
-
-SAME = 1e-6
-"""Values that differ by less than this, relative, are the same local maximum."""
 
 OPTIONS = [{}, {"radius": 0.1}, {"radius": 0.05, "capture_radius": 0.03}]
 
