@@ -22,7 +22,7 @@ from own import Compiled, planned, replanned, timed_plan, timed_replan
 from peers.peer import SAME
 from stopwatch import now
 
-MOST_GAMES, SECONDS = 20, 5.0
+MOST_GAMES, SECONDS = 20, 3.0
 
 PARTS = {
     "least_time": "programmes",

@@ -14,7 +14,7 @@ from peers.slsqp import Slsqp, SlsqpByDifferences
 
 SIZES = tuple(range(2, 16))
 MOST_GAMES = 200
-METHOD_SECONDS, SIZE_SECONDS = 5.0, 30.0
+METHOD_SECONDS, SIZE_SECONDS = 4.0, 20.0
 """After these a method takes no further part at a size, and a size has no further games."""
 
 METHODS = (Compiled, FromPython, Slsqp, SlsqpByDifferences, Ipopt)
