@@ -47,13 +47,13 @@ class Ipopt(Peer):
     def __init__(self, count):
         self.sequences = Sequences(count)
         programme, equations = _programme(self.sequences)
-        turns = np.full(programme["x"].numel(), math.inf)
-        turns[:count] = math.pi
+        turns_and_others = [count, programme["x"].numel() - count]
+        equal_and_more = [equations, programme["g"].numel() - equations]
         self.limits = {
-            "lbx": np.maximum(-turns, np.where(turns < math.inf, -math.pi, 0.0)),
-            "ubx": turns,
+            "lbx": np.repeat([-math.pi, 0.0], turns_and_others),
+            "ubx": np.repeat([math.pi, math.inf], turns_and_others),
             "lbg": 0.0,
-            "ubg": np.repeat([0.0, math.inf], [equations, programme["g"].numel() - equations]),
+            "ubg": np.repeat([0.0, math.inf], equal_and_more),
         }
         self.from_turns = ca.nlpsol("cold", "ipopt", programme, _OPTIONS)
         self.from_multipliers = ca.nlpsol("warm", "ipopt", programme, _WARM_OPTIONS)
