@@ -116,13 +116,13 @@ def _account(task, size, run, driver, arguments, plan):
 
 def interception_seconds(moment):
     """Seconds of one interception by itself: those along random sequences, one after the other."""
-    n, pursuit = len(moment.team), pursuit_of(moment.disk)
-    paths, generator = np.empty((n, PATH)), np.random.default_rng(n)
-    set_paths(moment.team.as_rows(), moment.plan.turns, pursuit.speed, paths)
-    sequences = generator.permuted(np.tile(np.arange(n), (100, 1)), axis=1)
+    team, disk, turns = moment.before
+    n, pursuit, paths = len(team), pursuit_of(disk), np.empty((len(team), PATH))
+    set_paths(team.as_rows(), turns, pursuit.speed, paths)
+    sequences = np.random.default_rng(n).permuted(np.tile(np.arange(n), (100, 1)), axis=1)
     starts = []
     for sequence in sequences:
-        times = covey.capture_times(moment.team, moment.disk, moment.plan.turns, sequence)
+        times = covey.capture_times(team, disk, turns, sequence)
         places = [position(paths, i, time) for i, time in zip(sequence, times, strict=True)]
         starts += [(*place, time) for place, time in zip(places[:-1], times[:-1], strict=True)]
     return _each(paths, pursuit, sequences[:, 1:].ravel(), np.array(starts))

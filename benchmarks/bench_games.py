@@ -17,8 +17,8 @@ def test_whole_game_of_five(benchmark, sensing):
     games = itertools.cycle(itertools.islice(moments(5), GAMES))
     benchmark.group = f"whole game, N = 5, update time {UPDATE_TIME}"
     benchmark.pedantic(
-        lambda game: covey.simulate(game.team, game.disk, sensing=sensing, update_time=UPDATE_TIME),
-        setup=lambda: ((next(games),), {}),
+        lambda team, disk: covey.simulate(team, disk, sensing=sensing, update_time=UPDATE_TIME),
+        setup=lambda: (next(games).first[:2], {}),
         rounds=GAMES,
         warmup_rounds=3,
     )

@@ -1,4 +1,4 @@
-"""The games that are measured: the start of each, one update later, and what a method answers."""
+"""The games that are measured, at their start and two updates later, and a method's answer."""
 
 from __future__ import annotations
 
@@ -8,25 +8,35 @@ from typing import NamedTuple
 import numpy as np
 
 import covey
-from covey.kernels.rules import NOBODY, Rules, announce, fly, initial_state
+from covey.kernels.columns import Columns
+from covey.kernels.replanning import replan
+from covey.kernels.rules import NOBODY, Rules, announce, fly, initial_state, pursuit_from
+from covey.kernels.search import search_scratch
+from covey.planning.open_loop import DEFAULT_TOLERANCE, MOST_STEPS, columns_of, start_noise
 
 UPDATE_TIME = 0.01
 
 
-class Moment(NamedTuple):
-    """A game at its start, planned from flight straight away, and the same one update later.
-
-    In between the visible pursuer has flown towards the first of the plan's worst sequence, and the
-    evaders along their plan: what is left of it is where a warm replan starts.
-    """
+class Situation(NamedTuple):
+    """A state of the game, and turns from which to plan."""
 
     team: covey.Team
     disk: covey.PursuerDisk
-    away: np.ndarray  # (N,) turns to flight straight away
-    plan: covey.Plan
-    later_team: covey.Team
-    later_disk: covey.PursuerDisk
-    left: np.ndarray  # (N,) what is left of the plan's turns
+    turns: np.ndarray  # (N,)
+
+
+class Moment(NamedTuple):
+    """A game at its start, then after an update and a replan, then after another update.
+
+    In between the visible pursuer flies towards the first of the plan's worst sequence, and the
+    evaders along their plan: what is left of it is where a warm replan starts.
+    """
+
+    first: Situation  # with the turns to flight straight away
+    before: Situation  # with the turns of the last plan
+    now: Situation  # with what is left of them
+    plan: covey.Plan  # the last one as a record
+    columns: Columns  # the last one's, as a game carries them over
 
 
 class Answer(NamedTuple):
@@ -39,24 +49,41 @@ class Answer(NamedTuple):
 
 def moments(size):
     """Yield games as in section V of the paper: uniform in the unit square, headings away."""
-    generator = np.random.default_rng(size)
+    generator, disk = np.random.default_rng(size), covey.PursuerDisk()
     rules = Rules(1.0, 0.0, False, UPDATE_TIME, math.inf)
-    disk = covey.PursuerDisk()
+    noise, scratch = start_noise(0, 1, size), search_scratch(size)
     while True:
         positions = generator.uniform(-0.5, 0.5, (size, 2))
         bearings = np.arctan2(positions[:, 1], positions[:, 0])
         team = covey.Team(positions, bearings)
+        first = Situation(team, disk, covey.turns_to(team, bearings))
         plan = covey.plan(team, disk, starts=1)
+        columns, target = columns_of(plan), plan.critical_sequences[0][0]
         state = initial_state(team.as_rows(), 0.0, 0.0, 0.0)
         state.turns[:] = plan.turns
         announce(state, rules)
-        if fly(state, rules, plan.critical_sequences[0][0], 0.0, 0.0) == NOBODY:
-            yield Moment(
-                team,
-                disk,
-                covey.turns_to(team, bearings),
-                plan,
-                covey.Team(state.evaders[:, :2], state.evaders[:, 2]),
-                covey.PursuerDisk(state.disk[:2]),
-                state.turns.copy(),
-            )
+        if fly(state, rules, target, 0.0, 0.0) != NOBODY:
+            continue  # captured before there is anything to replan: the next team
+        replan(
+            state.evaders,
+            size,
+            pursuit_from(state, rules),
+            noise,
+            0,
+            DEFAULT_TOLERANCE,
+            MOST_STEPS,
+            state.turns,
+            columns,
+            scratch,
+        )
+        before = _situation(state)
+        announce(state, rules)
+        if fly(state, rules, target, 0.0, 0.0) != NOBODY:
+            continue
+        last = covey.plan(before.team, before.disk, starts=1, warm_start=before.turns)
+        yield Moment(first, before, _situation(state), last, columns)
+
+
+def _situation(state):
+    team = covey.Team(state.evaders[:, :2], state.evaders[:, 2])
+    return Situation(team, covey.PursuerDisk(state.disk[:2]), state.turns.copy())

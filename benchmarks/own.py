@@ -14,11 +14,11 @@ import numba
 import numpy as np
 
 import covey
-from covey.kernels.columns import copy_columns
+from covey.kernels.columns import copy_columns, make_columns
 from covey.kernels.replanning import replan
 from covey.kernels.search import search, search_scratch
 from covey.planning.guarantee import pursuit_of
-from covey.planning.open_loop import DEFAULT_TOLERANCE, MOST_STEPS, columns_of, start_noise
+from covey.planning.open_loop import DEFAULT_TOLERANCE, MOST_STEPS, start_noise
 from moments import Answer
 from stopwatch import now
 
@@ -82,27 +82,16 @@ class Compiled:
 
     def warm_arguments(self, moment):
         """What `timed_replan` wants besides the number of repeats."""
-        return (
-            moment.later_team.as_rows(),
-            pursuit_of(moment.later_disk),
-            self.noise,
-            moment.left,
-            columns_of(moment.plan),
-            moment.left.copy(),
-            columns_of(moment.plan),
-            self.scratch,
-        )
+        team, disk, left = moment.now
+        blank, known = make_columns(len(left)), moment.columns
+        evaders, pursuit = team.as_rows(), pursuit_of(disk)
+        return evaders, pursuit, self.noise, left, known, left.copy(), blank, self.scratch
 
     def cold_arguments(self, moment):
         """What `timed_plan` wants besides the number of repeats."""
-        return (
-            moment.team.as_rows(),
-            pursuit_of(moment.disk),
-            self.noise,
-            moment.away.copy(),
-            columns_of(moment.plan),
-            self.scratch,
-        )
+        team, disk, away = moment.first
+        blank = make_columns(len(away))
+        return team.as_rows(), pursuit_of(disk), self.noise, away.copy(), blank, self.scratch
 
 
 class FromPython:
@@ -124,18 +113,19 @@ class FromPython:
 
     def best(self, moment):
         """Plan by default, the best of many starts."""
-        return _timed(lambda: covey.plan(moment.team, moment.disk))
+        return _timed(lambda: covey.plan(moment.first.team, moment.first.disk))
 
 
 def replanned(moment):
-    """Return the plan of one update later, from what is left of the first one alone."""
-    left = dataclasses.replace(moment.plan, turns=moment.left)
-    return covey.plan(moment.later_team, moment.later_disk, starts=1, warm_start=left)
+    """Return the plan from what is left of the last one alone."""
+    team, disk, left = moment.now
+    warm_start = dataclasses.replace(moment.plan, turns=left)
+    return covey.plan(team, disk, starts=1, warm_start=warm_start)
 
 
 def planned(moment):
     """Return the plan from straight flight away alone."""
-    return covey.plan(moment.team, moment.disk, starts=1)
+    return covey.plan(moment.first.team, moment.first.disk, starts=1)
 
 
 def _timed(plan):

@@ -19,15 +19,15 @@ class Peer:
 
     def cold(self, moment):
         """Plan from straight flight away."""
-        return self._timed(moment.team, moment.disk, moment.away, None)
+        return self._timed(*moment.first, None)
 
     def warm(self, moment):
         """Replan from what is left of the last plan.
 
         A peer that can carries its multipliers over from that plan, as this planner does.
         """
-        _, memory = self.solve(moment.team, moment.disk, moment.plan.turns, None)
-        return self._timed(moment.later_team, moment.later_disk, moment.left, memory)
+        _, memory = self.solve(*moment.before, None)
+        return self._timed(*moment.now, memory)
 
     def _timed(self, team, disk, turns, memory):
         start = time.perf_counter()
