@@ -7,6 +7,7 @@ an interception costs by itself.
 from __future__ import annotations
 
 import time
+from collections import Counter
 from typing import NamedTuple
 
 import numba
@@ -23,6 +24,8 @@ from peers.peer import SAME
 from stopwatch import now
 
 MOST_GAMES, SECONDS = 20, 3.0
+LONG = 7
+"""Size from which on the calls of a solve are long enough to be timed in their order."""
 
 PARTS = {
     "least_time": "programmes",
@@ -79,10 +82,11 @@ def accounts(size):
 
 
 def _account(task, size, run, driver, arguments, plan):
-    watch = Watch(PARTS, calls=4 if size < 10 else 1)
+    watch = Watch(PARTS)
     step_by_step = watch.interpreted(driver)
     if unknown := set(PARTS) - watch.met:
         raise AssertionError(f"no plan calls these kernels any more: {sorted(unknown)}")
+    spent: Counter[str] = Counter()
     total, each, interceptions, begun = 0.0, 0.0, 0, time.perf_counter()
     for games, moment in enumerate(moments(size), start=1):
         seconds, value, _ = run(moment)
@@ -90,13 +94,14 @@ def _account(task, size, run, driver, arguments, plan):
         if abs(retraced - value) > SAME * value:
             raise AssertionError(f"step by step, the solve came to {retraced}, not to {value}")
         total += seconds
+        spent.update(watch.seconds(long=size >= LONG))
         each += interception_seconds(moment)
         interceptions += plan(moment).interceptions
         if games == MOST_GAMES or time.perf_counter() - begun > SECONDS:
             break
     shares = dict.fromkeys(PARTS.values(), 0.0)
     for kernel, part in PARTS.items():
-        shares[part] += 100.0 * watch.seconds[kernel] / total
+        shares[part] += 100.0 * spent[kernel] / total
     least = floor_interceptions(size)
     floor = least * each
     return Account(

@@ -1,32 +1,31 @@
-"""A compiled solve, run again step by step, with a clock on the kernels that do its work.
+"""A compiled solve, run again step by step, to see what the kernels that do its work are asked.
 
-The functions that steer are interpreted, so that one can see what they call; the kernels that they
-call are compiled, and each call is timed in a compiled loop, on a copy of its own arguments.
+The functions that steer are interpreted; the kernels that they call are compiled as ever. What
+these were given is noted, and the clock runs when they get it again, in a compiled loop.
 """
 
 from __future__ import annotations
 
 import copy
-from collections import Counter
+from collections import defaultdict
 from functools import cache
 from types import FunctionType
 
 from numba.core.registry import CPUDispatcher
+from numba.typed import List
 
-from stopwatch import seconds_of
+from covey.kernels.subsets import SubsetScratch
+from stopwatch import seconds_of_all, seconds_of_one
 
-_loop_of = cache(seconds_of)
+_one, _all = cache(seconds_of_one), cache(seconds_of_all)
 
 
 class Watch:
-    """Seconds spent in the kernels named, while a kernel that uses them is interpreted.
+    """Notes the calls of the kernels named, while a kernel that uses them is interpreted."""
 
-    Each call is made `calls` times, five times over, and counted once.
-    """
-
-    def __init__(self, names, calls):
-        self.names, self.calls = frozenset(names), calls
-        self.seconds, self.met = Counter(), set()
+    def __init__(self, names):
+        self.names, self.met = frozenset(names), set()
+        self.calls = defaultdict(list)  # by kernel, copies of the arguments
 
     def interpreted(self, kernel):
         """Return the kernel as a Python function that calls the named kernels watched."""
@@ -41,10 +40,21 @@ class Watch:
         return FunctionType(function.__code__, known, function.__name__, function.__defaults__)
 
     def _watched(self, kernel):
-        name, loop = kernel.py_func.__name__, _loop_of(kernel)
-
         def call(*arguments):
-            self.seconds[name] += loop(self.calls, copy.deepcopy(arguments))
+            # The dynamic programme's tables are large, and clean between calls: all share them.
+            shared = {id(part): part for part in arguments if isinstance(part, SubsetScratch)}
+            self.calls[kernel].append(copy.deepcopy(arguments, shared))
             return kernel(*arguments)
 
         return call
+
+    def seconds(self, long):
+        """Return, by name, the seconds of all calls noted, `long` ones or not; forget them."""
+        found = {
+            kernel.py_func.__name__: _all(kernel)(List(calls))
+            if long
+            else sum(_one(kernel)(arguments) for arguments in calls)
+            for kernel, calls in self.calls.items()
+        }
+        self.calls.clear()
+        return found

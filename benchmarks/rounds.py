@@ -13,9 +13,9 @@ from peers.ipopt import Ipopt
 from peers.slsqp import Slsqp, SlsqpByDifferences
 
 SIZES = tuple(range(2, 16))
-MOST_GAMES = 200
+LEAST_GAMES, MOST_GAMES = 20, 200
 METHOD_SECONDS, SIZE_SECONDS = 4.0, 20.0
-"""After these a method takes no further part at a size, and a size has no further games."""
+"""After these a method takes no further part at a size, and a size has no more than the least."""
 
 METHODS = (Compiled, FromPython, Slsqp, SlsqpByDifferences, Ipopt)
 TASKS = ("warm", "cold", "best")
@@ -66,7 +66,7 @@ def _play(size):
                 answer = run(moment)
                 solves.append(Solve(size, game, task, name, *answer))
                 spent[name, task] += answer.seconds
-        if time.perf_counter() - begun > SIZE_SECONDS:
+        if game + 1 >= LEAST_GAMES and time.perf_counter() - begun > SIZE_SECONDS:
             break
     return solves
 
