@@ -90,7 +90,7 @@ def lay_out(
         if varying:
             _vary(evaders, n, noise, row, start % ELITE, elite, candidate)
         else:
-            _turn_at_random(evaders, n, pursuit, noise, row, candidate)
+            _turn_at_random(evaders, n, pursuit, noise, row, row % 2 == 0, candidate)
         worth = _worth(evaders, n, pursuit, candidate, best, scratch)
         if worth > best:
             best = worth
@@ -100,12 +100,25 @@ def lay_out(
 
 @compiled
 def _turn_at_random(
-    evaders: Table, n: int, pursuit: Pursuit, noise: Table, row: int, candidate: Floats
+    evaders: Table,
+    n: int,
+    pursuit: Pursuit,
+    noise: Table,
+    row: int,
+    little: bool,
+    candidate: Floats,
 ) -> None:
+    """Turn away from the disk and then anywhere, or from where everyone heads, rather a `little`.
+
+    An evader that is caught while it turns doesn't learn from any gradient to turn less.
+    """
     _away(evaders, n, pursuit, candidate)
     for i in range(n):
         if evaders[i, TURN_RATE] > 0.0:
-            candidate[i] = wrapped(candidate[i] + math.pi * noise[row, i])
+            if little:
+                candidate[i] = math.pi * noise[row, i] ** 3
+            else:
+                candidate[i] = wrapped(candidate[i] + math.pi * noise[row, i])
 
 
 @compiled
