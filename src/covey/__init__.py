@@ -24,9 +24,18 @@ if TYPE_CHECKING:
     from covey.planning import guaranteed_survival as guaranteed_survival
     from covey.planning import plan as plan
     from covey.players import CommittedPursuer as CommittedPursuer
+    from covey.players import ConstantHeading as ConstantHeading
     from covey.players import FixedSequence as FixedSequence
+    from covey.players import FlyingPursuer as FlyingPursuer
+    from covey.players import HoldCourse as HoldCourse
     from covey.players import IterativeOpenLoop as IterativeOpenLoop
+    from covey.players import LargestDistance as LargestDistance
+    from covey.players import NearestFirst as NearestFirst
     from covey.players import OpenLoop as OpenLoop
+    from covey.players import PatientPursuer as PatientPursuer
+    from covey.players import RandomSequence as RandomSequence
+    from covey.players import SmallestDanger as SmallestDanger
+    from covey.players import StraightAway as StraightAway
     from covey.players import simulate as simulate
     from covey.scenarios import Scenario as Scenario
     from covey.scenarios import load_scenario as load_scenario
@@ -53,9 +62,18 @@ _ROOMS = {
     ),
     "covey.players": (
         "CommittedPursuer",
+        "ConstantHeading",
         "FixedSequence",
+        "FlyingPursuer",
+        "HoldCourse",
         "IterativeOpenLoop",
+        "LargestDistance",
+        "NearestFirst",
         "OpenLoop",
+        "PatientPursuer",
+        "RandomSequence",
+        "SmallestDanger",
+        "StraightAway",
         "simulate",
     ),
     "covey.scenarios": ("Scenario", "load_scenario"),

@@ -42,6 +42,7 @@ class TeamPolicy(NamedTuple):
     """How a built-in team plans."""
 
     replans: bool  # iterative open loop, or open loop
+    replan_time: float  # between two plans, unless there is a capture
     restarts: int  # other starts that are followed after a capture
     tolerance: float
     most_steps: int
@@ -96,7 +97,7 @@ def write_page(
             pages.evaders[page, i, column] = state.resting[i, column]
     for k in range(3):
         pages.pursuers[page, 2 + k] = state.disk[k]
-    pages.pursuers[page, 0], pages.pursuers[page, 1] = state.disk[0], state.disk[1]
+    pages.pursuers[page, 0], pages.pursuers[page, 1] = state.pursuer[0], state.pursuer[1]
     for row in range(n):
         i = state.ids[row]
         pages.evaders[page, i, 0] = state.evaders[row, X]
@@ -138,7 +139,7 @@ def play(
     """
     n = state.alive[0]
     order, times = np.full(n, NOBODY), np.full(n, math.inf)
-    captured, page, updates = 0, 0, 0
+    captured, page, updates, planned = 0, 0, 0, 0.0
     pages = blank_pages(256 if recorded else 1, n)
     scratch, sequence_times = search.ascent, np.empty(n)
     while state.alive[0] > 0 and state.time[0] < rules.time_limit and updates < MOST_UPDATES:
@@ -161,7 +162,9 @@ def play(
             forget_captured(columns, alive, taken)
             remove(state, taken)
         played_on = state.time[0] < rules.time_limit and updates < MOST_UPDATES
-        if team.replans and state.alive[0] > 0 and played_on:
+        due = taken != NOBODY or state.time[0] - planned >= team.replan_time
+        if team.replans and due and state.alive[0] > 0 and played_on:
+            planned = state.time[0]
             replan(
                 state.evaders,
                 state.alive[0],

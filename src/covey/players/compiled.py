@@ -15,12 +15,13 @@ from covey.planning import plan
 from covey.planning.guarantee import check_game
 from covey.planning.open_loop import columns_of, start_noise
 from covey.players.evaders import IterativeOpenLoop, OpenLoop
-from covey.players.pursuers import CommittedPursuer, FixedSequence
+from covey.players.pursuers import CommittedPursuer, PatientPursuer
+from covey.players.sequences import FixedSequence, RandomSequence
 from covey.simulation import Settings
 from covey.simulation.settings import first_state
 
 BuiltInTeam = OpenLoop | IterativeOpenLoop
-BuiltInPursuer = CommittedPursuer | FixedSequence
+BuiltInPursuer = CommittedPursuer | PatientPursuer | FixedSequence | RandomSequence
 
 
 class Played(NamedTuple):
@@ -68,7 +69,7 @@ def play_compiled(
 ) -> Played:
     """Play a game; with `recorded`, write a page at every decision."""
     n, policy = len(team), evaders.compiled()
-    margin, sequence, known = pursuer.commitment(n)
+    margin, sequence, known = pursuer.commitment(team, disk, settings.seed)
     first = plan(team, disk, seed=settings.seed, starts=evaders.starts)
     state = first_state(team, disk)
     state.turns[:] = first.turns

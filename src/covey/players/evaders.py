@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
@@ -22,6 +22,7 @@ from covey.planning.open_loop import (
     columns_of,
     start_noise,
 )
+from covey.players.pace import checked_replan_time, least_wait, paced
 from covey.simulation import Situation, TeamPolicy
 
 
@@ -47,7 +48,7 @@ class OpenLoop:
 
     def compiled(self) -> game.TeamPolicy:
         """Return the policy of a compiled game."""
-        return game.TeamPolicy(False, 0, DEFAULT_TOLERANCE, MOST_STEPS)
+        return game.TeamPolicy(False, 0.0, 0, DEFAULT_TOLERANCE, MOST_STEPS)
 
     def start(self, seed: int) -> TeamPolicy:
         """Return the policy of one game."""
@@ -65,7 +66,7 @@ class OpenLoop:
 
 @dataclass(frozen=True)
 class IterativeOpenLoop:
-    """Plan again at every update, from the present state: the paper's iOL.
+    """Plan again and again, from the present state: the paper's iOL (section IV.C).
 
     The plan that is flown is always the first start, so the team never survives less than its
     first plan guaranteed.
@@ -77,27 +78,33 @@ class IterativeOpenLoop:
     restarts
         Other starts that are followed when an evader has been captured, for then the game is a
         new one.
+    replan_time
+        Least time between two plans, >= 0; 0 plans at every update. A capture brings a new plan at
+        once.
     """
 
     starts: int = DEFAULT_STARTS
     restarts: int = 8
+    replan_time: float = 0.0
 
     def __post_init__(self) -> None:
         """Check the fields."""
         whole_number("IterativeOpenLoop.starts", self.starts, low=1)
         whole_number("IterativeOpenLoop.restarts", self.restarts, low=0)
+        checked_replan_time(self)
 
     def describe(self) -> Mapping[str, Any]:
         """Return name and parameters, as a scenario file gives them."""
-        return {"name": "iterative-open-loop", "starts": self.starts, "restarts": self.restarts}
+        return {"name": "iterative-open-loop", **asdict(self)}
 
     def compiled(self) -> game.TeamPolicy:
         """Return the policy of a compiled game."""
-        return game.TeamPolicy(True, self.restarts, DEFAULT_TOLERANCE, MOST_STEPS)
+        wait = least_wait(self.replan_time)
+        return game.TeamPolicy(True, wait, self.restarts, DEFAULT_TOLERANCE, MOST_STEPS)
 
     def start(self, seed: int) -> TeamPolicy:
         """Return the policy of one game."""
-        return _Replanning(self, seed)
+        return paced(_Replanning(self, seed), self.replan_time)
 
 
 class _Replanning:

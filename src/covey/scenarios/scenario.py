@@ -6,14 +6,9 @@ from dataclasses import dataclass
 
 from covey.model import PursuerDisk, Team
 from covey.planning import Plan, plan
-from covey.players import (
-    CommittedPursuer,
-    FixedSequence,
-    IterativeOpenLoop,
-    OpenLoop,
-    simulate,
-)
-from covey.simulation import Game
+from covey.planning.open_loop import DEFAULT_STARTS
+from covey.players import IterativeOpenLoop, OpenLoop, simulate
+from covey.simulation import Game, PursuerStrategy, TeamStrategy
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,16 +33,19 @@ class Scenario:
 
     team: Team
     disk: PursuerDisk
-    evaders: OpenLoop | IterativeOpenLoop
-    pursuer: CommittedPursuer | FixedSequence
+    evaders: TeamStrategy
+    pursuer: PursuerStrategy
     sensing: str
     update_time: float
     seed: int
     time_limit: float | None
 
     def plan(self) -> Plan:
-        """Return the plan with which the game begins."""
-        return plan(self.team, self.disk, seed=self.seed, starts=self.evaders.starts)
+        """Return the open-loop plan, with which a team that flies one begins the game."""
+        starts = DEFAULT_STARTS
+        if isinstance(self.evaders, OpenLoop | IterativeOpenLoop):
+            starts = self.evaders.starts
+        return plan(self.team, self.disk, seed=self.seed, starts=starts)
 
     def simulate(self) -> Game:
         """Play the game and return its record."""

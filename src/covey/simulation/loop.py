@@ -23,6 +23,7 @@ from covey.simulation.strategy import (
     TeamPolicy,
     TeamStrategy,
     description,
+    place_of,
     policy_of,
 )
 
@@ -40,12 +41,14 @@ def play(
     ------
     InputError
         If a strategy decides what it can't: turns that aren't n numbers in [-π, π], a sequence
-        that names somebody who isn't alive, a velocity above the pursuer's speed, or any velocity
-        for a hidden pursuer.
+        that names somebody who isn't alive, a velocity above the pursuer's speed, any velocity for
+        a pursuer that is a disk only, a place outside it.
     """
     plan = policy_of("evaders", evaders, settings.seed)
     decide = policy_of("pursuer", pursuer, settings.seed)
-    rules, state = settings.rules(disk), first_state(team, disk)
+    place = place_of(pursuer, disk)
+    rules = settings.rules(disk, placed=place is not None)
+    state, flies = first_state(team, disk, place), rules.placed or not rules.hidden
     n = len(team)
     pages, page, scratch = blank_pages(256, n), 0, ascent_scratch(n)
     order: list[int] = []
@@ -55,7 +58,7 @@ def play(
         state.turns[:alive] = _checked_turns(plan(_situation(state, disk)), alive)
         announce(state, rules)
         target, velocity, intended = _checked_decision(
-            decide(_situation(state, disk)), state, disk, hidden=rules.hidden
+            decide(_situation(state, disk, flies=flies)), state, disk, flies=flies
         )
         if page + 2 > len(pages.times):
             pages = more_pages(pages)
@@ -77,10 +80,12 @@ def play(
         np.array(times),
         pages,
         page + 1,
+        placed=rules.placed,
     )
 
 
-def _situation(state: State, disk: PursuerDisk) -> Situation:
+def _situation(state: State, disk: PursuerDisk, *, flies: bool = False) -> Situation:
+    """What the team knows or, of a pursuer that flies, what the pursuer does."""
     alive = int(state.alive[0])
     rows = state.evaders[:alive]
     turns = state.turns[:alive].copy()
@@ -91,6 +96,7 @@ def _situation(state: State, disk: PursuerDisk) -> Situation:
         team=Team(rows[:, :2], rows[:, 2], rows[:, 3], rows[:, 4]),
         disk=PursuerDisk(state.disk[:2], state.disk[2], disk.speed, disk.capture_radius),
         turns=turns,
+        place=state.pursuer[:2].copy() if flies and state.pursuer[2] == 0.0 else None,
     )
 
 
@@ -105,7 +111,7 @@ def _checked_turns(turns: object, alive: int) -> Floats:
 
 
 def _checked_decision(
-    decision: object, state: State, disk: PursuerDisk, *, hidden: bool
+    decision: object, state: State, disk: PursuerDisk, *, flies: bool
 ) -> tuple[int, tuple[float, float], Ints]:
     """Return the row of the target, the velocity, and the rows of the sequence in mind."""
     living = state.ids[: state.alive[0]].tolist()
@@ -122,10 +128,11 @@ def _checked_decision(
         speed = float(np.hypot(*velocity))
         if speed > disk.speed * (1.0 + 1e-12):
             raise InputError(f"Fly: expected a speed of at most {disk.speed:g}, got {speed:g}")
-        if hidden and speed > 0.0:
+        if not flies and speed > 0.0:
             raise InputError(
                 "Fly: a hidden pursuer is known as a disk only and can't be steered; "
-                "return Chase((...)) to name its next target, or Fly() to wait"
+                "return Chase((...)) to name its next target, or Fly() to wait, or give its "
+                "strategy a place"
             )
         return NOBODY, (float(velocity[0]), float(velocity[1])), np.empty(0, np.int64)
     raise InputError(f"pursuer's decision: expected Chase or Fly, got {decision!r}")
