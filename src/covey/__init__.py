@@ -23,12 +23,14 @@ if TYPE_CHECKING:
     from covey.planning import capture_times as capture_times
     from covey.planning import guaranteed_survival as guaranteed_survival
     from covey.planning import plan as plan
+    from covey.players import BestSequence as BestSequence
     from covey.players import CommittedPursuer as CommittedPursuer
     from covey.players import ConstantHeading as ConstantHeading
     from covey.players import FixedSequence as FixedSequence
     from covey.players import FlyingPursuer as FlyingPursuer
     from covey.players import HoldCourse as HoldCourse
     from covey.players import IterativeOpenLoop as IterativeOpenLoop
+    from covey.players import KnownSequence as KnownSequence
     from covey.players import LargestDistance as LargestDistance
     from covey.players import NearestFirst as NearestFirst
     from covey.players import OpenLoop as OpenLoop
@@ -61,12 +63,14 @@ _ROOMS = {
         "plan",
     ),
     "covey.players": (
+        "BestSequence",
         "CommittedPursuer",
         "ConstantHeading",
         "FixedSequence",
         "FlyingPursuer",
         "HoldCourse",
         "IterativeOpenLoop",
+        "KnownSequence",
         "LargestDistance",
         "NearestFirst",
         "OpenLoop",

@@ -1,4 +1,4 @@
-"""The pursuer after each evader alone: by when could it have captured that one?"""
+"""When the pursuer captures an evader if it makes for that one at once."""
 
 from __future__ import annotations
 

@@ -167,7 +167,7 @@ def _place_and_aim(state: State, rules: Rules, goal_x: float, goal_y: float) -> 
 def _move_pursuer(
     state: State, elapsed: float, met: int, velocity_x: float, velocity_y: float
 ) -> None:
-    """Move a pursuer that flies; to where it `met` its target, to the last bit, if it has no reach."""
+    """Move a pursuer that flies; without reach, to where it `met` its target, to the last bit."""
     pursuer = state.pursuer
     if met != NOBODY:
         pursuer[0], pursuer[1] = position(state.paths, met, elapsed)
@@ -178,7 +178,7 @@ def _move_pursuer(
 
 @compiled
 def _move_disk(state: State, rules: Rules, elapsed: float, captured: int) -> None:
-    """What the team knows: a place that it sees, or a disk that grows and collapses at a capture."""
+    """What the team knows: a place, if it sees it, or a disk that a capture makes collapse."""
     disk = state.disk
     if not rules.hidden:
         for k in range(3):

@@ -32,6 +32,7 @@ class Committed:
         self._margin, self._sequence = margin, sequence
 
     def __call__(self, situation: Situation) -> Chase:
+        """Follow the sequence, or a clearly better one."""
         n, living = len(situation.evaders), situation.evaders
         followed = [living.index(i) for i in self._sequence if i in living]
         sequence = np.array(followed if followed else [0] * n, dtype=np.int64)

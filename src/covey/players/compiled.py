@@ -16,12 +16,12 @@ from covey.planning.guarantee import check_game
 from covey.planning.open_loop import columns_of, start_noise
 from covey.players.evaders import IterativeOpenLoop, OpenLoop
 from covey.players.pursuers import CommittedPursuer, PatientPursuer
-from covey.players.sequences import FixedSequence, RandomSequence
+from covey.players.sequences import BestSequence, FixedSequence, RandomSequence
 from covey.simulation import Settings
 from covey.simulation.settings import first_state
 
 BuiltInTeam = OpenLoop | IterativeOpenLoop
-BuiltInPursuer = CommittedPursuer | PatientPursuer | FixedSequence | RandomSequence
+BuiltInPursuer = CommittedPursuer | PatientPursuer | FixedSequence | BestSequence | RandomSequence
 
 
 class Played(NamedTuple):

@@ -11,9 +11,9 @@ import numpy.typing as npt
 
 from covey.model import PursuerDisk, Team
 from covey.model.checks import whole_number
+from covey.planning.open_loop import DEFAULT_STARTS
 from covey.players.evaders import IterativeOpenLoop
 from covey.players.pace import checked_replan_time, paced
-from covey.planning.open_loop import DEFAULT_STARTS
 from covey.simulation import Situation, TeamPolicy
 
 

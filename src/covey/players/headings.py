@@ -56,7 +56,7 @@ class StraightAway:
 
 
 def _away(situation: Situation) -> Floats:
-    """Signed turns (n,); an evader at the centre, from where all headings lead away, keeps its own."""
+    """Signed turns (n,); an evader at the centre keeps its heading, as all lead away from there."""
     team = situation.team
     off = team.positions - situation.disk.center
     away = np.where(off.any(axis=1), np.arctan2(off[:, 1], off[:, 0]), team.headings)

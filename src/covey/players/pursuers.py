@@ -78,8 +78,8 @@ class FlyingPursuer:
 
     The rules know a hidden pursuer as a disk only, which may change its mind for nothing and
     captures from wherever in it suits best: what the team must reckon with. This one has a place,
-    of which a team that can't see it knows the disk alone. It plans from there, pays for each change
-    of mind, and captures whomever it comes within ρ of.
+    of which a team that can't see it knows the disk alone. It plans from there, pays for each
+    change of mind, and captures whomever it comes within ρ of.
 
     Parameters
     ----------

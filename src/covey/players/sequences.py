@@ -10,7 +10,24 @@ import numpy as np
 
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.checks import Ints
+from covey.planning.announcement import best_announcement
 from covey.players.commitment import KeepsSequence
+
+
+def checked_sequence(name: str, sequence: Sequence[int]) -> tuple[int, ...]:
+    """Return a sequence that holds each of 0..N-1 once; else raise InputError."""
+    order = tuple(int(i) for i in sequence)
+    if sorted(order) != list(range(len(order))):
+        raise InputError(f"{name}: expected each evader 0..N-1 once, got {list(sequence)}")
+    return order
+
+
+def require_whole_team(name: str, sequence: tuple[int, ...], count: int) -> None:
+    """Raise InputError unless the sequence is one of `count` evaders."""
+    if len(sequence) != count:
+        raise InputError(
+            f"{name}: expected a sequence of all {count} evaders, got {list(sequence)}"
+        )
 
 
 @dataclass(frozen=True)
@@ -26,25 +43,43 @@ class FixedSequence(KeepsSequence):
     sequence: tuple[int, ...]
 
     def __init__(self, sequence: Sequence[int]) -> None:
-        order = tuple(int(i) for i in sequence)
-        if sorted(order) != list(range(len(order))):
-            raise InputError(
-                f"FixedSequence: expected each evader 0..N-1 once, got {list(sequence)}"
-            )
-        object.__setattr__(self, "sequence", order)
+        object.__setattr__(self, "sequence", checked_sequence("FixedSequence", sequence))
 
     def describe(self) -> Mapping[str, Any]:
         """Return name and parameters, as a scenario file gives them."""
         return {"name": "fixed-sequence", "sequence": list(self.sequence)}
 
     def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:  # noqa: ARG002
-        """Return the sequence given, if it fits the team."""
-        if len(self.sequence) != len(team):
-            raise InputError(
-                f"FixedSequence: expected a sequence of all {len(team)} evaders, "
-                f"got {list(self.sequence)}"
-            )
+        """Return the sequence given, if it is one of this team."""
+        require_whole_team("FixedSequence", self.sequence, len(team))
         return np.array(self.sequence, dtype=np.int64)
+
+
+@dataclass(frozen=True)
+class BestSequence(KeepsSequence):
+    """Capture the evaders in the order with the best guaranteed capture time, whatever they do.
+
+    The least over the sequences of the longest time for which a team that knows the sequence can
+    survive: by then this pursuer has captured everybody, whatever the team does. The references,
+    which the paper names as [7] and [8], give it to the pursuer for that reason.
+
+    Notes
+    -----
+    The sequences are compared on a grid of headings and the best few exactly. Up to five evaders
+    all are; with more, those that a beam search comes to.
+
+    References
+    ----------
+    See `KnownSequence`, the team that flies against it.
+    """
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return the name, as a scenario file gives it."""
+        return {"name": "best-sequence"}
+
+    def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:  # noqa: ARG002
+        """Return the order that the team could delay least if it knew it."""
+        return np.array(best_announcement(team, disk, ()).sequence, dtype=np.int64)
 
 
 @dataclass(frozen=True)

@@ -8,12 +8,14 @@ from dataclasses import MISSING, dataclass, fields
 from typing import Any
 
 from covey.players import (
+    BestSequence,
     CommittedPursuer,
     ConstantHeading,
     FixedSequence,
     FlyingPursuer,
     HoldCourse,
     IterativeOpenLoop,
+    KnownSequence,
     LargestDistance,
     NearestFirst,
     OpenLoop,
@@ -73,6 +75,7 @@ EVADERS = {
     "constant-heading": Entry(ConstantHeading, _STARTS | _RESTARTS | _REPLAN_TIME),
     "straight-away": Entry(StraightAway, _REPLAN_TIME),
     "hold-course": Entry(HoldCourse, {}),
+    "known-sequence": Entry(KnownSequence, _SEQUENCE | _REPLAN_TIME),
     "largest-distance": Entry(LargestDistance, _REPLAN_TIME),
     "smallest-danger": Entry(SmallestDanger, _REPLAN_TIME),
 }
@@ -82,6 +85,7 @@ PURSUERS = {
     "flying": Entry(FlyingPursuer, _MARGIN | _OFFSET),
     "patient": Entry(PatientPursuer, {}),
     "fixed-sequence": Entry(FixedSequence, _SEQUENCE),
+    "best-sequence": Entry(BestSequence, {}),
     "random-sequence": Entry(RandomSequence, {}),
     "nearest-first": Entry(NearestFirst, {}),
 }

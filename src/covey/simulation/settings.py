@@ -49,7 +49,7 @@ class Settings:
             number("time_limit", self.time_limit, low=0.0, strictly=True)
 
     def rules(self, disk: PursuerDisk, *, placed: bool = False) -> Rules:
-        """Return the rules as the kernels see them; `placed` if the pursuer has a place by itself."""
+        """Return the rules as the kernels see them; `placed` where the pursuer brings a place."""
         return Rules(
             disk.speed,
             disk.capture_radius,
