@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from covey.views.plan import draw_plan
     from covey.views.saving import save
     from covey.views.snapshots import draw_snapshots
+    from covey.views.tournament import draw_tournament
 
 __all__ = [
     "animate",
@@ -28,6 +29,7 @@ __all__ = [
     "draw_plan",
     "draw_ratios",
     "draw_snapshots",
+    "draw_tournament",
     "save",
 ]
 
@@ -40,6 +42,7 @@ _HOMES = {
     "draw_plan": "plan",
     "draw_ratios": "histogram",
     "draw_snapshots": "snapshots",
+    "draw_tournament": "tournament",
     "save": "saving",
 }
 
