@@ -56,7 +56,7 @@ def draw_tournament(ratios: Sequence[Ratio], base: str) -> Figure:
         list(dict.fromkeys(getattr(ratio, part) for ratio in ratios))
         for part in ("row", "column", "team", "size")
     )
-    left, bottom, gap, between, top = 1.05, 0.38, 0.08, 0.36, 0.5
+    left, bottom, gap, between, top = 1.05, 0.38, 0.08, 0.5, 0.42
     full = 2.0 * style.COLUMN_WIDTH
     width = (full - left - 0.08 - (len(columns) - 1) * gap) / len(columns)
     height = _TEAM * len(teams)
@@ -75,7 +75,7 @@ def draw_tournament(ratios: Sequence[Ratio], base: str) -> Figure:
                 axes.annotate(
                     f"({'abcdef'[i]})  {row}",
                     (0.0, 1.0),
-                    xytext=(-72.0, 3.0),
+                    xytext=(-72.0, 15.0),
                     xycoords="axes fraction",
                     textcoords="offset points",
                 )
@@ -119,5 +119,5 @@ def _draw_panel(
     axes.axvline(1.0, color=style.FAINT, linewidth=style.THIN_LINE, linestyle=style.PURSUER_DOTS)
     axes.set_ylim(len(teams) - 0.5, -0.5)
     axes.set_yticks([])
-    axes.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10]))
+    axes.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10], prune="both"))
     axes.spines[["top", "right"]].set_visible(False)
