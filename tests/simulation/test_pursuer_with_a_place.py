@@ -100,6 +100,14 @@ def test_it_starts_where_it_says(sensing):
     assert game.guarantee == pytest.approx(1.5 / 0.75)
 
 
+def test_far_from_the_origin_the_edge_of_the_disk_is_still_in_it():
+    disk = covey.PursuerDisk((1e6, -1e6), 1e-3)
+    team = covey.Team([(1e6 + 1.0, -1e6)], [0.0])
+    for angle in range(20):
+        offset = (math.cos(angle), math.sin(angle))
+        covey.simulate(team, disk, pursuer=covey.FlyingPursuer(offset=offset), time_limit=0.01)
+
+
 def test_the_team_is_not_told_its_place():
     seen = []
 

@@ -25,7 +25,7 @@ Plan how a team of turn-limited vehicles survives, as a team and for as long as 
 one faster pursuer that it may not see; play the game; draw it.
 
 Games are described in TOML files. Some come with covey and are asked for by name: fig3, \
-uncertain, unequal, visible.
+uncertain, unequal, unseen, visible.
 
 Try:
 

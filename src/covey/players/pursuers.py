@@ -34,8 +34,7 @@ class CommittedPursuer:
 
     def __post_init__(self) -> None:
         """Check the field."""
-        if self.margin != math.inf:
-            number("CommittedPursuer.margin", self.margin, low=0.0)
+        _check_margin("CommittedPursuer", self.margin)
 
     def describe(self) -> Mapping[str, Any]:
         """Return name and parameters, as a scenario file gives them."""
@@ -93,7 +92,7 @@ class FlyingPursuer:
     offset: tuple[float, float] = (0.0, 0.0)
 
     def __init__(self, margin: float = 0.01, offset: Sequence[float] = (0.0, 0.0)) -> None:
-        CommittedPursuer(margin)
+        _check_margin("FlyingPursuer", margin)
         x, y = frozen_array("FlyingPursuer.offset", offset, (2,)).tolist()
         if math.hypot(x, y) > 1.0 + 1e-12:
             raise InputError(
@@ -114,3 +113,8 @@ class FlyingPursuer:
     def start(self, seed: int) -> PursuerPolicy:
         """Return the policy of one game."""
         return CommittedPursuer(self.margin).start(seed)
+
+
+def _check_margin(name: str, margin: float) -> None:
+    if margin != math.inf:
+        number(f"{name}.margin", margin, low=0.0)

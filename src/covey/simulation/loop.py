@@ -85,7 +85,7 @@ def play(
 
 
 def _situation(state: State, disk: PursuerDisk, *, flies: bool = False) -> Situation:
-    """What the team knows or, of a pursuer that flies, what the pursuer does."""
+    """What the team knows and, if the pursuer `flies`, what only the pursuer does: its place."""
     alive = int(state.alive[0])
     rows = state.evaders[:alive]
     turns = state.turns[:alive].copy()

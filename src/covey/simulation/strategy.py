@@ -129,7 +129,8 @@ def place_of(strategy: object, disk: PursuerDisk) -> Floats | None:
         return None
     place = frozen_array("place returned by the pursuer's strategy", choose(disk), (2,))
     distance = float(np.hypot(*(place - disk.center)))
-    if distance > disk.radius * (1.0 + 1e-12):
+    rounding = 1e-12 * (disk.radius + float(np.abs(disk.center).max()))
+    if distance > disk.radius + rounding:
         raise InputError(
             f"place returned by the pursuer's strategy: expected a point of the disk of radius "
             f"{disk.radius:g}, got one {distance:g} from its centre"
