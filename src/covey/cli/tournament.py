@@ -39,7 +39,9 @@ def _table(title: str, chosen: list[Score]) -> Table:
         (score.evaders, score.pursuer): _cell(score) + ("*" if score.starts < most else "")
         for score in chosen
     }
-    table = Table(title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False)
+    table = Table(
+        title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False, padding=(0, 0, 0, 0)
+    )
     table.add_column("team", no_wrap=True)
     for pursuer in pursuers:
         table.add_column(pursuer.replace("-", " "), justify="right")
