@@ -108,7 +108,7 @@ starts = 2
 team_size = [1, 3]
 disk_radius = 0.1
 capture_radius = 0.02
-update_time = 0.2
+update_time = 0.4
 evaders = [
     "iterative-open-loop", "open-loop", "constant-heading", "known-sequence", "largest-distance",
     "smallest-danger", "straight-away", "hold-course",
@@ -160,6 +160,8 @@ def test_other_studies_have_no_such_picture(tmp_path, capsys):
     assert "expected a study of several teams" in capsys.readouterr().err
     assert main(["draw", str(tmp_path), "--output", picture]) == 2
     assert "expected the results of a study" in capsys.readouterr().err
+    assert main(["draw", str(tmp_path / "plain"), "--output", picture, "--view", "game"]) == 2
+    assert "--view, --record and --seed are for games" in capsys.readouterr().err
 
 
 def test_the_picture_shows_every_ratio_once():

@@ -56,7 +56,10 @@ def draw(
     """
     if Path(file).is_dir():
         from covey.cli.tournament import draw_tournament
+        from covey.model import InputError
 
+        if (view, record, seed) != (None, None, None):
+            raise InputError(f"{file}: --view, --record and --seed are for games; it is a folder")
         draw_tournament(Path(file), output)
         return
     from covey.cli.drawing import draw_view
