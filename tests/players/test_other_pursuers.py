@@ -51,6 +51,39 @@ def test_the_best_sequence_is_the_best_of_all(count):
 
 
 @BOTH
+@pytest.mark.parametrize(
+    "evaders",
+    [
+        covey.IterativeOpenLoop(starts=2, restarts=1),
+        covey.KnownSequence(),
+        covey.LargestDistance(),
+        covey.SmallestDanger(),
+        covey.StraightAway(),
+        lambda now: np.sin(1e3 * (now.time + np.arange(len(now.evaders)))),
+    ],
+)
+def test_no_team_that_turns_at_once_outlives_the_best_sequence(evaders, sensing):
+    for seed in range(4):
+        generator = np.random.default_rng(seed)
+        count = 2 + seed % 3
+        speeds = generator.choice([0.1, 0.25, 0.5], count)
+        places = generator.uniform(-0.5, 0.5, (count, 2))
+        team, disk = covey.Team(places, np.zeros(count), speeds, math.inf), covey.PursuerDisk()
+        order = covey.BestSequence().sequence_for(team, disk, seed)
+        value = plan_for_sequence(team, disk, order).survival_time
+        game = covey.simulate(
+            team,
+            disk,
+            evaders=evaders,
+            pursuer=covey.BestSequence(),
+            sensing=sensing,
+            update_time=0.1,
+            seed=seed,
+        )
+        assert game.survival_time <= value * (1.0 + ROUNDING)
+
+
+@BOTH
 @pytest.mark.parametrize("pursuer", [covey.BestSequence(), covey.RandomSequence()])
 def test_a_chosen_sequence_is_kept_to(pursuer, sensing):
     for seed in range(3):

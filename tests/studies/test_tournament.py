@@ -25,7 +25,7 @@ def made_up(times, **sides):
     """The result of a study whose survival times (starts, sizes, sensing, evaders, pursuers)."""
     study = Study(starts=len(times), **sides).describe()
     flat = pa.table({"survival_time": np.ravel(times)})
-    return SimpleNamespace(study=study, games=flat)
+    return SimpleNamespace(study=study, parts=lambda: [flat])
 
 
 def duel(own, first, **sides):
@@ -80,6 +80,7 @@ def test_pairs_with_a_stopped_game_are_left_out():
     own = np.array([[0.5, 0.5], [1.0, 1.0], [1.5, 1.5]])
     found = duel(own, first, team_size=[2, 3])
     assert [found[size].starts for size in (2, 3, None)] == [3, 2, 2]
+    assert {score.played for score in found.values()} == {3}
     assert found[None].relative == pytest.approx((0.5, 0.0), abs=1e-12)
     nobody = duel(own, np.full((3, 2), math.inf), team_size=[2, 3])
     assert math.isnan(nobody[None].relative.value)

@@ -23,22 +23,15 @@ def print_tournament(console: Console, result: StudyResult) -> None:
     sizes = ", ".join(map(str, result.study["grid"]["team_size"]))
     console.print(
         f"Mean survival time over that of {overall[0].evaders}, from the same "
-        f"{result.study['starts']} starts, ± 95 % confidence; mean over teams of {sizes}."
+        f"{overall[0].played} starts, ± 95 % confidence; mean over teams of {sizes}."
     )
-    missing = sum(result.study["starts"] - score.starts for score in overall)
-    if missing:
-        console.print(
-            f"* {missing} pairs with a game that was stopped with evaders alive are left out."
-        )
+    if any(score.starts < score.played for score in overall):
+        console.print("* Without the starts of which a game was stopped with evaders alive.")
 
 
 def _table(title: str, chosen: list[Score]) -> Table:
     pursuers = list(dict.fromkeys(score.pursuer for score in chosen))
-    most = max(score.starts for score in chosen)
-    cells = {
-        (score.evaders, score.pursuer): _cell(score) + ("*" if score.starts < most else "")
-        for score in chosen
-    }
+    cells = {(score.evaders, score.pursuer): _cell(score) for score in chosen}
     table = Table(
         title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False, padding=(0, 0, 0, 0)
     )
@@ -52,7 +45,8 @@ def _table(title: str, chosen: list[Score]) -> Table:
 
 def _cell(score: Score) -> str:
     value, error = score.relative
-    return f"{value:.3f}" if error == 0.0 else f"{value:.3f} ±{error:.3f}".replace("±0", "±")
+    text = f"{value:.3f}" if error == 0.0 else f"{value:.3f} ±{error:.3f}".replace("±0", "±")
+    return text + ("*" if score.starts < score.played else "")
 
 
 def draw_tournament(folder: Path, output: Path) -> None:

@@ -59,9 +59,10 @@ class FixedSequence(KeepsSequence):
 class BestSequence(KeepsSequence):
     """Capture the evaders in the order with the best guaranteed capture time, whatever they do.
 
-    The least over the sequences of the longest time for which a team that knows the sequence can
-    survive: by then this pursuer has captured everybody, whatever the team does. The references,
-    which the paper names as [7] and [8], give it to the pursuer for that reason.
+    For each sequence a team that knows it can survive for some longest time; this is the sequence
+    for which that is least, which the references give to the pursuer (the paper's [7] and [8]). No
+    team that turns at once survives longer, whatever it does. One that can't may draw the game out
+    a little, by turns that it announces and doesn't fly.
 
     Notes
     -----

@@ -26,6 +26,7 @@ class Score(NamedTuple):
     team_size: int | None  # None: the mean over all sizes
     relative: Estimate  # mean survival time over that of the first team
     starts: int  # those whose games came to an end, its own and the first team's
+    played: int  # all starts that were played
 
 
 def is_tournament(study: dict[str, Any]) -> bool:
@@ -45,14 +46,16 @@ def scores(result: StudyResult) -> Iterator[Score]:
     sizes: list[int] = grid["team_size"]
     evaders, pursuers = labels(grid["evaders"]), labels(grid["pursuer"])
     shape = [len(grid[name]) for name in _SIDES]
-    times = result.games["survival_time"].to_numpy().reshape(-1, *shape)
+    parts = [part["survival_time"].to_numpy() for part in result.parts()]
+    times = np.concatenate([np.empty(0), *parts]).reshape(-1, *shape)
+    count = len(times)
     for (s, sensing), (p, pursuer), (e, team) in product(
         enumerate(grid["sensing"]), enumerate(pursuers), enumerate(evaders)
     ):
         own, first = times[:, :, s, e, p], times[:, :, s, 0, p]
         for k, size in enumerate(sizes):
-            yield Score(sensing, pursuer, team, size, *_relative(own[:, [k]], first[:, [k]]))
-        yield Score(sensing, pursuer, team, None, *_relative(own, first))
+            yield Score(sensing, pursuer, team, size, *_relative(own[:, [k]], first[:, [k]]), count)
+        yield Score(sensing, pursuer, team, None, *_relative(own, first), count)
 
 
 def labels(strategies: Sequence[dict[str, Any]]) -> list[str]:
