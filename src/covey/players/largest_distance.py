@@ -21,10 +21,10 @@ _MOMENTS = np.linspace(0.0, 1.0, 17)
 class LargestDistance:
     """Each evader makes its least distance to the pursuer as large as it can.
 
-    In the reference, the paper's [2], the evaders maximise the least distance over time to a pursuer
-    of limited sensing range. Here the pursuer is faster and gets everybody in the end, so the aim
-    is adapted to the time until the next capture: the pursuer is taken to fly straight to the
-    evader that it could capture first, from where in the disk that one is nearest. Each of the
+    In the reference, the paper's [2], the evaders maximise the least distance over time to a
+    pursuer of limited sensing range. Here the pursuer is faster and gets everybody in the end, so
+    the aim is adapted to the time until the next capture: the pursuer is taken to fly straight to
+    the evader that it could capture first, from where in the disk that one is nearest. Each of the
     others maximises its least distance to this flight, at 17 moments of it. Where that is what it
     is now, because the pursuer leaves it behind, and for the target itself, the turn counts after
     which it could be captured latest.

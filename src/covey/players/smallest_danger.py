@@ -21,13 +21,13 @@ _POINTS = 256
 class SmallestDanger:
     """Each evader makes the part of the disk small in which it is the one nearest to the pursuer.
 
-    In the reference, the paper's [4], each evader makes its own chance small of being the nearest to
-    a hidden pursuer. Its domain of danger, the places from where it would be, is its Voronoi cell.
-    Here the team knows a disk, so the aim is adapted: at the time at which the pursuer could first capture
-    somebody, it is anywhere in the disk that has grown until then, each place as likely as another,
-    and the others are where their announced plans take them. The evader makes its share of that
-    disk small. Where turns leave the same share, none of it for example, the turn counts after
-    which it could be captured latest.
+    In the reference, the paper's [4], each evader makes its own chance small of being the nearest
+    to a hidden pursuer. Its domain of danger, the places from where it would be, is its Voronoi
+    cell. Here the team knows a disk, so the aim is adapted: at the time at which the pursuer could
+    first capture somebody, it is anywhere in the disk that has grown until then, each place as
+    likely as another, and the others are where their announced plans take them. The evader makes
+    its share of that disk small. Where turns leave the same share, none of it for example, the turn
+    counts after which it could be captured latest.
 
     Parameters
     ----------
