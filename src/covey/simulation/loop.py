@@ -52,10 +52,10 @@ def play(
     times: list[float] = []
     while state.alive[0] > 0 and state.time[0] < rules.time_limit and page < MOST_UPDATES:
         alive = int(state.alive[0])
-        state.turns[:alive] = _checked_turns(plan(_situation(state, disk)), alive)
+        state.turns[:alive] = checked_turns(plan(situation_of(state, disk)), alive)
         announce(state, rules)
-        target, velocity, intended = _checked_decision(
-            decide(_situation(state, disk)), state, disk, hidden=rules.hidden
+        target, velocity, intended = checked_decision(
+            decide(situation_of(state, disk)), state, disk, hidden=rules.hidden
         )
         if page + 2 > len(pages.times):
             pages = more_pages(pages)
@@ -80,7 +80,8 @@ def play(
     )
 
 
-def _situation(state: State, disk: PursuerDisk) -> Situation:
+def situation_of(state: State, disk: PursuerDisk) -> Situation:
+    """Return what a player knows of a state; `disk` gives the pursuer's speed and reach."""
     alive = int(state.alive[0])
     rows = state.evaders[:alive]
     turns = state.turns[:alive].copy()
@@ -94,7 +95,8 @@ def _situation(state: State, disk: PursuerDisk) -> Situation:
     )
 
 
-def _checked_turns(turns: object, alive: int) -> Floats:
+def checked_turns(turns: object, alive: int) -> Floats:
+    """Return what a team decided, if its n living can fly it."""
     checked = frozen_array("turns returned by the team's strategy", turns, (alive,))
     if np.abs(checked).max() > math.pi:
         raise InputError(
@@ -104,7 +106,7 @@ def _checked_turns(turns: object, alive: int) -> Floats:
     return checked
 
 
-def _checked_decision(
+def checked_decision(
     decision: object, state: State, disk: PursuerDisk, *, hidden: bool
 ) -> tuple[int, tuple[float, float], Ints]:
     """Return the row of the target, the velocity, and the rows of the sequence in mind."""
