@@ -13,7 +13,7 @@ from covey.kernels.path import X, Y
 from covey.model.checks import Floats, choice
 
 if TYPE_CHECKING:
-    import pygame
+    from pygame import Surface
 
 MODES = ["human", "rgb_array"]
 RATE = 20
@@ -34,7 +34,7 @@ class Canvas:
     def __init__(self, mode: str | None, least_extent: float) -> None:
         self.mode = None if mode is None else choice("render_mode", mode, MODES)
         self._least_extent = least_extent
-        self._window: pygame.Surface | None = None
+        self._window: Surface | None = None
 
     def begin(self, episode: Episode) -> None:
         """Follow a game from its start."""
@@ -70,7 +70,7 @@ class Canvas:
             load_pygame().display.quit()
             self._window = None
 
-    def _draw(self) -> pygame.Surface:
+    def _draw(self) -> Surface:
         return draw(self._episode, self._trails, self._extent)
 
     def _show(self) -> None:

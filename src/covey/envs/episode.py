@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from covey.envs.setup import Setup, Start
+from covey.envs.setup import STARTS, Setup, Start
 from covey.kernels.arena import DISK, ROW, advance, observe
-from covey.kernels.rules import NOBODY, announce, initial_state, remove
+from covey.kernels.rules import NOBODY, announce, remove
 from covey.model import PursuerDisk
 from covey.model.checks import Floats, Ints
 from covey.planning import guaranteed_survival, plan
-from covey.simulation import PursuerStrategy, Situation, TeamStrategy
+from covey.simulation import PursuerStrategy, TeamStrategy
 from covey.simulation.loop import checked_decision, checked_turns, situation_of
 from covey.simulation.strategy import PursuerPolicy, TeamPolicy, policy_of
 
@@ -50,12 +50,12 @@ class Episode:
     ) -> None:
         team, known = setup.team(start), setup.known_at_start(start)
         self.setup, self.rules = setup, setup.rules
-        self.state = initial_state(team.as_rows(), *start.pursuer.tolist(), 0.0)
+        self.state = setup.first_state(start)
         self.known = np.array([*known.center, known.radius])
         self._plan = None if evaders is None else policy_of("evaders", evaders, seed)
         self._decide = None if pursuer is None else policy_of("pursuer", pursuer, seed)
         if self._plan is None:
-            self.guarantee = plan(team, known, seed=seed).survival_time
+            self.guarantee = plan(team, known, seed=seed, starts=STARTS).survival_time
         else:
             self._announce_plan(self._plan)
             self.guarantee = guaranteed_survival(team, known, self.state.turns).time
@@ -95,7 +95,9 @@ class Episode:
         if shares is not None:
             state.turns[:alive] = (shares * self.setup.largest_turns)[self.living]
         announce(state, self.rules)
-        target, flown = self._decided() if velocity is None else (NOBODY, velocity)
+        target, flown = NOBODY, velocity or (0.0, 0.0)
+        if self._decide is not None:
+            target, flown = self._decided(self._decide)
         taken = advance(state, self.known, self.rules, self.setup.hidden, target, *flown)
         if taken != NOBODY:
             remove(state, taken)
@@ -107,28 +109,28 @@ class Episode:
 
     def seen_by_pursuer(self) -> Seen:
         """Return the pursuer's observation."""
-        return self._seen_from(*self.state.disk[:2], NOBODY)
+        return self._seen_from(self.state.disk, NOBODY)
 
     def seen_by_team(self) -> Seen:
         """Return what the team sees together, from the centre of the disk that it knows of."""
-        return self._seen_from(*self.known[:2], NOBODY)
+        return self._seen_from(self.known, NOBODY)
 
     def seen_by(self, evader: int) -> Seen:
         """Return an evader's observation; where it was captured, if it was."""
         row = np.flatnonzero(self.living == evader)
-        places = self.state.evaders[row[0]] if len(row) else self.state.resting[evader]
-        return self._seen_from(*places[:2], evader)
+        place = self.state.evaders[row[0]] if len(row) else self.state.resting[evader]
+        return self._seen_from(place, evader)
 
-    def _decided(self) -> tuple[int, Velocity]:
+    def _decided(self, decide: PursuerPolicy) -> tuple[int, Velocity]:
         """Return the row that the pursuer makes for, or NOBODY, and its velocity."""
         disk = self._disk(self.state.disk)
-        decision = self._decide(situation_of(self.state, disk))
+        decision = decide(situation_of(self.state, disk))
         target, velocity, _ = checked_decision(decision, self.state, disk, hidden=False)
         return target, velocity
 
-    def _seen_from(self, x: float, y: float, first: int) -> Seen:
+    def _seen_from(self, place: Floats, first: int) -> Seen:
         seen = np.empty(ROW * self.setup.team_size + DISK, np.float32)
-        observe(self.state, self.known, x, y, first, seen)
+        observe(self.state, self.known, place[0], place[1], first, seen)
         return seen
 
     def _announce_plan(self, plan_of: TeamPolicy) -> None:

@@ -24,7 +24,7 @@ from covey.simulation import PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStr
 PURSUER = "pursuer"
 
 
-class PursuitEnv(ParallelEnv[str, Seen, npt.ArrayLike]):
+class PursuitEnv(ParallelEnv[str, Seen, npt.ArrayLike]):  # type: ignore[misc] # it has no types
     """A team of evaders against one faster pursuer; `covey.envs.pursuit_v0` describes it.
 
     Parameters

@@ -16,7 +16,7 @@ from covey.kernels.path import HEADING, X, Y
 from covey.model.checks import Floats
 
 if TYPE_CHECKING:
-    import pygame
+    from pygame import Surface
 
 SIZE = 600
 """Width and height of a picture, pixels."""
@@ -37,7 +37,7 @@ def load_pygame() -> Any:
     return import_module("pygame")
 
 
-def draw(episode: Episode, trails: Mapping[int, Sequence[Floats]], extent: float) -> pygame.Surface:
+def draw(episode: Episode, trails: Mapping[int, Sequence[Floats]], extent: float) -> Surface:
     """Return a picture (SIZE, SIZE); `extent` is the largest coordinate that it must show."""
     pygame = load_pygame()
     sheet = pygame.Surface((_FINER * SIZE, _FINER * SIZE))
@@ -61,15 +61,16 @@ def draw(episode: Episode, trails: Mapping[int, Sequence[Floats]], extent: float
     for row in state.evaders[: len(episode.living)]:
         cosine, sine = math.cos(row[HEADING]), math.sin(row[HEADING])
         turned = _DART @ np.array([[cosine, -sine], [sine, cosine]])  # y points down on a screen
-        pygame.draw.polygon(sheet, _EVADER, pixels(row[[X, Y]]) + turned * (1.0, 1.0))
+        pygame.draw.polygon(sheet, _EVADER, pixels(row[[X, Y]]) + turned)
     place = pixels(state.disk[:2])
     pygame.draw.circle(sheet, _PURSUER, place, 4.0 * _FINER)
     pygame.draw.circle(sheet, _PURSUER, place, scale * episode.rules.reach, _FINER)
     _caption(sheet, f"time {episode.time:.2f}     guaranteed {episode.guarantee:.2f}")
-    return pygame.transform.smoothscale(sheet, (SIZE, SIZE))
+    picture: Surface = pygame.transform.smoothscale(sheet, (SIZE, SIZE))
+    return picture
 
 
-def _caption(sheet: pygame.Surface, text: str) -> None:
+def _caption(sheet: Surface, text: str) -> None:
     font = load_pygame().font
     font.init()
     sheet.blit(font.Font(None, 24 * _FINER).render(text, True, _INK), (12 * _FINER, 10 * _FINER))

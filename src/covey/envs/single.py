@@ -2,31 +2,32 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+from typing import Any
 
 import gymnasium
 import numpy as np
 import numpy.typing as npt
+from gymnasium import Space
 
 from covey.envs.actions import shares_of, velocity_of
 from covey.envs.canvas import MODES, RATE, Canvas
 from covey.envs.episode import Episode, Seen
-from covey.envs.setup import Setup
+from covey.envs.setup import TEAM, Setup
 from covey.envs.spaces import direction_space, observation_space, steering_space
-from covey.players import CommittedPursuer, IterativeOpenLoop
+from covey.players import CommittedPursuer
 from covey.simulation import PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStrategy
 
 
 class _OneSide(gymnasium.Env[Seen, npt.ArrayLike]):
     """What both views share: games, one after another, and their pictures."""
 
-    metadata: ClassVar[dict[str, Any]] = {"render_modes": MODES, "render_fps": RATE}
+    metadata: dict[str, Any] = {"render_modes": MODES, "render_fps": RATE}  # noqa: RUF012 as its base
     _evaders: TeamStrategy | TeamPolicy | None = None
     _pursuer: PursuerStrategy | PursuerPolicy | None = None
 
     def __init__(self, render_mode: str | None, setup: dict[str, Any]) -> None:
         self.setup = Setup(**setup)
-        self.observation_space = observation_space(self.setup)
+        self.observation_space: Space[Any] = observation_space(self.setup)
         self._canvas = Canvas(render_mode, 0.5 * self.setup.side)
         self.render_mode = self._canvas.mode
 
@@ -41,7 +42,7 @@ class _OneSide(gymnasium.Env[Seen, npt.ArrayLike]):
         self._canvas.begin(self._episode)
         return self._seen(), self._episode.info()
 
-    def render(self) -> npt.NDArray[np.uint8] | None:  # type: ignore[override] # one frame
+    def render(self) -> npt.NDArray[np.uint8] | None:
         """Return a picture (height, width, 3) in the mode "rgb_array"."""
         return self._canvas.render()
 
@@ -74,13 +75,13 @@ class PursuerEnv(_OneSide):
     def __init__(
         self,
         *,
-        evaders: TeamStrategy | TeamPolicy = IterativeOpenLoop(),  # noqa: B008 frozen
+        evaders: TeamStrategy | TeamPolicy = TEAM,
         render_mode: str | None = None,
         **setup: Any,
     ) -> None:
         super().__init__(render_mode, setup)
         self._evaders = evaders
-        self.action_space = direction_space()
+        self.action_space: Space[Any] = direction_space()
 
     def step(self, action: npt.ArrayLike) -> tuple[Seen, float, bool, bool, dict[str, Any]]:
         """Fly in a direction (2,) until the next update or capture; it costs the time it takes."""
@@ -113,7 +114,7 @@ class TeamEnv(_OneSide):
     ) -> None:
         super().__init__(render_mode, setup)
         self._pursuer = pursuer
-        self.action_space = steering_space(self.setup.team_size)
+        self.action_space: Space[Any] = steering_space(self.setup.team_size)
 
     def step(self, action: npt.ArrayLike) -> tuple[Seen, float, bool, bool, dict[str, Any]]:
         """Turn at rates (N,), the captured's ignored, until the next update or capture."""

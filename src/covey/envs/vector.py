@@ -13,7 +13,7 @@ from gymnasium.vector.utils import batch_space
 
 from covey.envs.actions import shares_of, velocities_of
 from covey.envs.episode import Seen
-from covey.envs.setup import Setup
+from covey.envs.setup import STARTS, TEAM, Setup
 from covey.envs.spaces import direction_space, observation_space, steering_space
 from covey.kernels.ascent import ascent_scratch
 from covey.kernels.batches import Batch, fly_pursuers, fly_teams, observe_games
@@ -33,7 +33,7 @@ Flags = npt.NDArray[np.bool_]
 class _Games(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
     """What both batches share: games, each of them begun anew in the step that ends it."""
 
-    metadata: ClassVar[dict[str, Any]] = {"autoreset_mode": AutoresetMode.SAME_STEP}
+    metadata: dict[str, Any] = {"autoreset_mode": AutoresetMode.SAME_STEP}  # noqa: RUF012 as its base
     _of_team: ClassVar[bool]
 
     def __init__(self, num_envs: int, setup: dict[str, Any]) -> None:
@@ -78,11 +78,11 @@ class _Games(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
         over, seen, infos = ended | late, self._observe(), dict[str, Any]()
         if over.any():
             final = np.full(self.num_envs, None, object)
-            for b in np.flatnonzero(over):
+            for b in np.flatnonzero(over).tolist():
                 final[b] = seen[b].copy()
             infos = {"final_obs": final, "final_info": self._infos(over)}
             infos |= {"_final_obs": over, "_final_info": over}
-            for b in np.flatnonzero(over):
+            for b in np.flatnonzero(over).tolist():
                 self._begin(b, None)
             seen = self._observe()
         infos |= self._infos(np.ones(self.num_envs, np.bool_))
@@ -92,8 +92,7 @@ class _Games(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
         generator = self._generators[b]
         start = self.setup.draw(generator, options)
         team, known = self.setup.team(start), self.setup.known_at_start(start)
-        fresh = initial_state(team.as_rows(), *start.pursuer.tolist(), 0.0)
-        for ours, new in zip(self._states, fresh, strict=True):
+        for ours, new in zip(self._states, self.setup.first_state(start), strict=True):
             ours[b] = new
         self._batch.known[b] = *known.center, known.radius
         self._guarantees[b] = self._begin_opponent(b, team, known, int(generator.integers(2**31)))
@@ -144,7 +143,7 @@ class PursuerVectorEnv(_Games):
         self,
         num_envs: int,
         *,
-        evaders: IterativeOpenLoop | OpenLoop = IterativeOpenLoop(),  # noqa: B008 frozen
+        evaders: IterativeOpenLoop | OpenLoop = TEAM,
         **setup: Any,
     ) -> None:
         if not team_is_built_in(evaders):
@@ -165,9 +164,7 @@ class PursuerVectorEnv(_Games):
         return first.survival_time
 
     def _fly(self, actions: npt.ArrayLike) -> None:
-        velocities = velocities_of(
-            "actions", actions, (self.num_envs, 2), self.setup.pursuer_speed
-        )
+        velocities = velocities_of("actions", actions, (self.num_envs, 2), self.setup.pursuer_speed)
         fly_pursuers(
             self._batch,
             self.setup.rules,
@@ -219,7 +216,7 @@ class TeamVectorEnv(_Games):
     def _begin_opponent(self, b: int, team: Team, known: PursuerDisk, seed: int) -> float:
         self._sequences[b] = self._first_sequence
         self._followed[b] = self._begins_with_it
-        return plan(team, known, seed=seed).survival_time
+        return plan(team, known, seed=seed, starts=STARTS).survival_time
 
     def _fly(self, actions: npt.ArrayLike) -> None:
         shares = shares_of("actions", actions, (self.num_envs, self.setup.team_size))

@@ -63,9 +63,7 @@ def fly_pursuers(
         state, known = game_of(batch, b), batch.known[b]
         own = Columns(columns.used[b], columns.sequences[b], columns.weights[b])
         announce(state, rules)
-        taken = advance(
-            state, known, rules, hidden, NOBODY, velocities[b, 0], velocities[b, 1]
-        )
+        taken = advance(state, known, rules, hidden, NOBODY, velocities[b, 0], velocities[b, 1])
         if taken != NOBODY:
             forget_captured(own, state.alive[0], taken)
             remove(state, taken)
@@ -107,9 +105,7 @@ def fly_teams(
             state.turns[row] = turns[b, state.ids[row]]
         announce(state, rules)
         pursuit = pursuit_from(state, rules)
-        commit(
-            state.paths, alive, pursuit, margin, followed[b] != 0, sequence, times, scratch
-        )
+        commit(state.paths, alive, pursuit, margin, followed[b] != 0, sequence, times, scratch)
         followed[b] = 1
         taken = advance(state, known, rules, hidden, sequence[0], 0.0, 0.0)
         if taken != NOBODY:
