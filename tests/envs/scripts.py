@@ -20,24 +20,20 @@ def towards_nearest(seen, count):
     return np.take_along_axis(rows[..., :2], nearest, axis=-2)[..., 0, :]
 
 
-def play_parallel(env, generator, seed=None, options=None):
+def play_parallel(env, generator, **begun):
     """Chase the nearest, evaders steer at random; return all that `reset` and `step` returned."""
-    returned = [env.reset(seed=seed, options=options)]
-    count = env.setup.team_size
+    returned = [env.reset(**begun)]
     while env.agents:
-        actions = {}
-        for agent in env.agents:
-            if agent == "pursuer":
-                actions[agent] = towards_nearest(returned[-1][0][agent], count)
-            else:
-                actions[agent] = generator.uniform(-1.0, 1.0, 1)
+        actions = {agent: generator.uniform(-1.0, 1.0, 1) for agent in env.agents}
+        if "pursuer" in actions:
+            actions["pursuer"] = towards_nearest(returned[-1][0]["pursuer"], env.setup.team_size)
         returned.append(env.step(actions))
     return returned
 
 
-def play_single(env, decide, seed=None, options=None):
+def play_single(env, decide, **begun):
     """Let `decide` act on what is seen; return all that `reset` and `step` returned."""
-    returned = [env.reset(seed=seed, options=options)]
+    returned = [env.reset(**begun)]
     over = False
     while not over:
         returned.append(env.step(decide(returned[-1][0])))
