@@ -85,7 +85,7 @@ class Games(VecEnv):
     def close(self):
         self.games.close()
 
-    def get_attr(self, name, indices=None):
+    def get_attr(self, name, indices=None):  # noqa: ARG002 as its base
         return [getattr(self.games, name, None)] * self.num_envs
 
     def set_attr(self, name, value, indices=None):
@@ -94,7 +94,7 @@ class Games(VecEnv):
     def env_method(self, name, *arguments, indices=None, **more):
         raise NotImplementedError
 
-    def env_is_wrapped(self, wrapper, indices=None):
+    def env_is_wrapped(self, wrapper, indices=None):  # noqa: ARG002 as its base
         return [False] * self.num_envs
 
 
@@ -152,12 +152,16 @@ def survival_times(pursuer, starts):
     return np.array(times)
 
 
+def straight_ahead(seen):
+    return np.tile([1.0, 0.0], (len(seen), 1))
+
+
 def main(steps=1_000_000, starts=300):
     model = train(steps)
     pursuers = {
         "committed": covey.CommittedPursuer(),
         "learned": pursuer_of(lambda seen: model.predict(seen, deterministic=True)[0], 3),
-        "earliest interception": pursuer_of(lambda seen: np.array([[1.0, 0.0]]), 3),
+        "earliest interception": pursuer_of(straight_ahead, 3),
     }
     times = {name: survival_times(pursuer, starts) for name, pursuer in pursuers.items()}
     print(f"{'pursuer':24}{'mean survival time':>20}{'share of the committed':>24}")

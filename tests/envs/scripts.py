@@ -25,8 +25,10 @@ def play_parallel(env, generator, **begun):
     returned = [env.reset(**begun)]
     while env.agents:
         actions = {agent: generator.uniform(-1.0, 1.0, 1) for agent in env.agents}
-        if "pursuer" in actions:
-            actions["pursuer"] = towards_nearest(returned[-1][0]["pursuer"], env.setup.team_size)
+        if "pursuer_0" in actions:
+            actions["pursuer_0"] = towards_nearest(
+                returned[-1][0]["pursuer_0"], env.setup.team_size
+            )
         returned.append(env.step(actions))
     return returned
 

@@ -74,14 +74,14 @@ def test_any_actions_of_both_sides(seed, turn_rate):
     turns, velocities, captures = [], [], []
     while env.agents:
         actions = {agent: generator.uniform(-1.0, 1.0, 1) for agent in env.agents}
-        living = np.flatnonzero(seen["pursuer"][5:18:6]).tolist()
-        target = seen["pursuer"][6 * living[0] :][:2] + generator.normal(0.0, 0.1, 2)
-        actions["pursuer"] = target
+        living = np.flatnonzero(seen["pursuer_0"][5:18:6]).tolist()
+        target = seen["pursuer_0"][6 * living[0] :][:2] + generator.normal(0.0, 0.1, 2)
+        actions["pursuer_0"] = target
         largest = min(turn_rate * DT, math.pi)
         turns.append([actions[f"evader_{i}"][0] * largest for i in living])
         velocities.append(tuple(target / np.hypot(*target)))
         seen, _, out, _, infos = env.step(actions)
-        captures += [(i, infos["pursuer"]["time"]) for i in living if out[f"evader_{i}"]]
+        captures += [(i, infos["pursuer_0"]["time"]) for i in living if out[f"evader_{i}"]]
 
     told_turns, told_velocities = iter(turns), iter(velocities)
     record = covey.simulate(
@@ -130,9 +130,9 @@ def test_a_whole_game_of_two_strategies_flown_by_agents(seed):
     env.reset(seed=seed, options=options_of(seed))
     captures, row = [], 0
     while env.agents:
-        actions = {f"evader_{i}": shares[row, [i]] for i in range(3)} | {"pursuer": flown[row]}
+        actions = {f"evader_{i}": shares[row, [i]] for i in range(3)} | {"pursuer_0": flown[row]}
         _, _, out, _, infos = env.step({agent: actions[agent] for agent in env.agents})
-        time, row = infos["pursuer"]["time"], row + 1
+        time, row = infos["pursuer_0"]["time"], row + 1
         captures += [(i, time) for i in range(3) if out.get(f"evader_{i}")]
     assert_same(record, captures)
 

@@ -8,8 +8,6 @@ try:
 except ModuleNotFoundError as error:
     if error.name not in {"gymnasium", "pettingzoo"}:
         raise
-    raise ImportError(
-        f"covey.envs needs {error.name}: install it with pip install 'covey[env]'"
-    ) from error
+    raise ImportError(f"covey.envs needs {error.name}: pip install 'covey[env]'") from error
 
 __all__ = ["pursuit_v0"]

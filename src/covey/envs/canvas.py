@@ -10,6 +10,7 @@ import numpy.typing as npt
 from covey.envs.episode import Episode
 from covey.envs.picture import PURSUER, SIZE, draw, load_pygame
 from covey.kernels.path import X, Y
+from covey.model import InputError
 from covey.model.checks import Floats, choice
 
 if TYPE_CHECKING:
@@ -35,6 +36,7 @@ class Canvas:
         self.mode = None if mode is None else choice("render_mode", mode, MODES)
         self._least_extent = least_extent
         self._window: Surface | None = None
+        self._episode: Episode | None = None
 
     def begin(self, episode: Episode) -> None:
         """Follow a game from its start."""
@@ -44,9 +46,10 @@ class Canvas:
 
     def go_on(self) -> None:
         """Remember where everybody is; in the mode "human", show it."""
-        if self.mode is None:
+        episode = self._episode
+        if self.mode is None or episode is None:
             return
-        episode, state = self._episode, self._episode.state
+        state = episode.state
         places = {i: state.resting[i, :2] for i in self._trails if i != PURSUER}
         for i, row in zip(episode.living.tolist(), state.evaders, strict=False):
             places[i] = row[[X, Y]]
@@ -55,13 +58,15 @@ class Canvas:
             self._trails.setdefault(i, []).append(place.copy())
             self._extent = max(self._extent, float(np.abs(place).max()))
         if self.mode == "human":
-            self._show()
+            self._show(episode)
 
     def render(self) -> npt.NDArray[np.uint8] | None:
         """Return the picture (SIZE, SIZE, 3) in the mode "rgb_array"."""
         if self.mode != "rgb_array":
             return None
-        columns = load_pygame().surfarray.array3d(self._draw())
+        if self._episode is None:
+            raise InputError("render: expected a game to be begun; call reset() first")
+        columns = load_pygame().surfarray.array3d(self._draw(self._episode))
         return np.ascontiguousarray(columns.swapaxes(0, 1))
 
     def close(self) -> None:
@@ -70,17 +75,17 @@ class Canvas:
             load_pygame().display.quit()
             self._window = None
 
-    def _draw(self) -> Surface:
-        return draw(self._episode, self._trails, self._extent)
+    def _draw(self, episode: Episode) -> Surface:
+        return draw(episode, self._trails, self._extent)
 
-    def _show(self) -> None:
+    def _show(self, episode: Episode) -> None:
         pygame = load_pygame()
         if self._window is None:
             pygame.display.init()
             pygame.display.set_caption("covey: pursuit_v0")
             self._window = pygame.display.set_mode((SIZE, SIZE))
             self._clock = pygame.time.Clock()
-        self._window.blit(self._draw(), (0, 0))
+        self._window.blit(self._draw(episode), (0, 0))
         pygame.event.pump()  # or the window manager would think that it hangs
         pygame.display.flip()
         self._clock.tick(RATE)

@@ -8,7 +8,7 @@ import numpy.typing as npt
 from covey.envs.setup import STARTS, Setup, Start
 from covey.kernels.arena import DISK, ROW, advance, observe
 from covey.kernels.rules import NOBODY, announce, remove
-from covey.model import PursuerDisk
+from covey.model import InputError, PursuerDisk
 from covey.model.checks import Floats, Ints
 from covey.planning import guaranteed_survival, plan
 from covey.simulation import PursuerStrategy, TeamStrategy
@@ -91,6 +91,8 @@ class Episode:
         `shares` (N,) are the evaders' turn rates, `velocity` (2,) is the pursuer's; None for a side
         that plays by itself.
         """
+        if self.ended or self.late:
+            raise InputError("step: expected a game that goes on, this one has ended; call reset()")
         state, alive, before = self.state, len(self.living), self.time
         if shares is not None:
             state.turns[:alive] = (shares * self.setup.largest_turns)[self.living]

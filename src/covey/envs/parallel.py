@@ -21,7 +21,8 @@ from covey.model import InputError
 from covey.model.checks import Floats
 from covey.simulation import PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStrategy
 
-PURSUER = "pursuer"
+PURSUER = "pursuer_0"
+"""Its name as an agent; the evaders are "evader_0", "evader_1", ..."""
 
 
 class PursuitEnv(ParallelEnv[str, Seen, npt.ArrayLike]):  # type: ignore[misc] # it has no types

@@ -34,7 +34,10 @@ _CROSS = _FINER * 4.0
 def load_pygame() -> Any:
     """Return pygame, which is loaded when a picture is first asked for."""
     os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
-    return import_module("pygame")
+    try:
+        return import_module("pygame")
+    except ModuleNotFoundError as error:
+        raise ImportError("pictures need pygame: pip install 'covey[env]'") from error
 
 
 def draw(episode: Episode, trails: Mapping[int, Sequence[Floats]], extent: float) -> Surface:

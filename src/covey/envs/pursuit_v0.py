@@ -9,7 +9,7 @@ import             ``from covey.envs import pursuit_v0``
 PettingZoo         ``pursuit_v0.parallel_env(...)``; ``pursuit_v0.env(...)`` takes turns
 Gymnasium          ``PursuerEnv``, ``TeamEnv``; by name ``covey/Pursuer-v0``, ``covey/Team-v0``
 batches            ``PursuerVectorEnv``, ``TeamVectorEnv``
-agents             ``evader_0`` ... ``evader_{N-1}``, ``pursuer``
+agents             ``evader_0`` ... ``evader_{N-1}``, ``pursuer_0``
 action, evader     ``Box(-1, 1, (1,))``, its turn rate
 action, pursuer    ``Box(-1, 1, (2,))``, its heading as a vector
 observation        ``Box((6N + 3,))``, of every agent

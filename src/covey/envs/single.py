@@ -11,9 +11,11 @@ from gymnasium import Space
 
 from covey.envs.actions import shares_of, velocity_of
 from covey.envs.canvas import MODES, RATE, Canvas
-from covey.envs.episode import Episode, Seen
+from covey.envs.episode import Episode, Seen, Velocity
 from covey.envs.setup import TEAM, Setup
 from covey.envs.spaces import direction_space, observation_space, steering_space
+from covey.model import InputError
+from covey.model.checks import Floats
 from covey.players import CommittedPursuer
 from covey.simulation import PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStrategy
 
@@ -21,9 +23,10 @@ from covey.simulation import PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStr
 class _OneSide(gymnasium.Env[Seen, npt.ArrayLike]):
     """What both views share: games, one after another, and their pictures."""
 
-    metadata: dict[str, Any] = {"render_modes": MODES, "render_fps": RATE}  # noqa: RUF012 as its base
+    metadata: dict[str, Any] = {"render_modes": MODES, "render_fps": RATE}  # noqa: RUF012 as declared
     _evaders: TeamStrategy | TeamPolicy | None = None
     _pursuer: PursuerStrategy | PursuerPolicy | None = None
+    _episode: Episode | None = None
 
     def __init__(self, render_mode: str | None, setup: dict[str, Any]) -> None:
         self.setup = Setup(**setup)
@@ -38,9 +41,10 @@ class _OneSide(gymnasium.Env[Seen, npt.ArrayLike]):
         super().reset(seed=seed)
         start = self.setup.draw(self.np_random, options)
         planning = int(self.np_random.integers(2**31))
-        self._episode = Episode(self.setup, start, planning, self._evaders, self._pursuer)
-        self._canvas.begin(self._episode)
-        return self._seen(), self._episode.info()
+        episode = Episode(self.setup, start, planning, self._evaders, self._pursuer)
+        self._canvas.begin(episode)
+        self._episode = episode
+        return self._seen(episode), episode.info()
 
     def render(self) -> npt.NDArray[np.uint8] | None:
         """Return a picture (height, width, 3) in the mode "rgb_array"."""
@@ -50,13 +54,18 @@ class _OneSide(gymnasium.Env[Seen, npt.ArrayLike]):
         """Close the window, if there is one."""
         self._canvas.close()
 
-    def _seen(self) -> Seen:
+    def _seen(self, episode: Episode) -> Seen:
         raise NotImplementedError
 
-    def _after_step(self, reward: float) -> tuple[Seen, float, bool, bool, dict[str, Any]]:
+    def _step(
+        self, shares: Floats | None, velocity: Velocity | None, sign: float
+    ) -> tuple[Seen, float, bool, bool, dict[str, Any]]:
         episode = self._episode
+        if episode is None:
+            raise InputError("step: expected a game to be begun; call reset() first")
+        reward = sign * episode.step(shares, velocity)
         self._canvas.go_on()
-        return self._seen(), reward, episode.ended, episode.late, episode.info()
+        return self._seen(episode), reward, episode.ended, episode.late, episode.info()
 
 
 class PursuerEnv(_OneSide):
@@ -86,10 +95,10 @@ class PursuerEnv(_OneSide):
     def step(self, action: npt.ArrayLike) -> tuple[Seen, float, bool, bool, dict[str, Any]]:
         """Fly in a direction (2,) until the next update or capture; it costs the time it takes."""
         velocity = velocity_of("action", action, self.setup.pursuer_speed)
-        return self._after_step(-self._episode.step(None, velocity))
+        return self._step(None, velocity, -1.0)
 
-    def _seen(self) -> Seen:
-        return self._episode.seen_by_pursuer()
+    def _seen(self, episode: Episode) -> Seen:
+        return episode.seen_by_pursuer()
 
 
 class TeamEnv(_OneSide):
@@ -119,7 +128,7 @@ class TeamEnv(_OneSide):
     def step(self, action: npt.ArrayLike) -> tuple[Seen, float, bool, bool, dict[str, Any]]:
         """Turn at rates (N,), the captured's ignored, until the next update or capture."""
         shares = shares_of("action", action, (self.setup.team_size,))
-        return self._after_step(self._episode.step(shares, None))
+        return self._step(shares, None, 1.0)
 
-    def _seen(self) -> Seen:
-        return self._episode.seen_by_team()
+    def _seen(self, episode: Episode) -> Seen:
+        return episode.seen_by_team()

@@ -33,7 +33,7 @@ Flags = npt.NDArray[np.bool_]
 class _Games(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
     """What both batches share: games, each of them begun anew in the step that ends it."""
 
-    metadata: dict[str, Any] = {"autoreset_mode": AutoresetMode.SAME_STEP}  # noqa: RUF012 as its base
+    metadata: dict[str, Any] = {"autoreset_mode": AutoresetMode.SAME_STEP}  # noqa: RUF012 as declared
     _of_team: ClassVar[bool]
 
     def __init__(self, num_envs: int, setup: dict[str, Any]) -> None:
