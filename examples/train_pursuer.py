@@ -6,6 +6,7 @@ Needs `pip install 'covey[env]' stable-baselines3`, and a few minutes on two cor
 import sys
 
 import numpy as np
+import torch
 from gymnasium.spaces import Box
 from stable_baselines3 import PPO
 from stable_baselines3.common.vec_env import VecEnv
@@ -41,7 +42,7 @@ def look(rows):
     meeting, time, goal = interceptions(rows)
     order = np.argsort(time, axis=1)
     meeting, time, goal = (np.take_along_axis(a, order, axis=1) for a in (meeting, time, goal))
-    ahead = meeting[:, :1] / np.maximum(np.abs(meeting[:, :1]), 1e-12)
+    ahead = np.exp(1j * np.angle(meeting[:, :1]))
     meeting, goal = meeting / ahead, np.exp(1j * goal) / ahead
     seen = [meeting.real, meeting.imag, time, goal.real, goal.imag, np.ones(time.shape)]
     seen = np.where(np.isfinite(time)[..., None], np.stack(seen, axis=-1), 0.0)
@@ -99,6 +100,7 @@ class Games(VecEnv):
 
 
 def train(steps, size=3, seed=0):
+    torch.set_num_threads(1)  # for so small a network, a second one costs more than it brings
     games = Games(64, size)
     model = PPO(
         "MlpPolicy",
