@@ -103,6 +103,8 @@ def test_before_the_first_reset():
         env.step([1.0, 0.0])
     with pytest.raises(InputError, match=r"call reset\(\) first"):
         env.render()
+    with pytest.raises(InputError, match=r"call reset\(\) first"):
+        pursuit_v0.TeamVectorEnv(2).step([[0.0, 0.0, 0.0]] * 2)
 
 
 def test_after_the_end():
