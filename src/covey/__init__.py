@@ -103,6 +103,8 @@ def __getattr__(name: str) -> object:
         from importlib.metadata import version  # it costs more than all the rest
 
         return version("covey")
+    if name == "envs":  # the one room that is used by its name; it needs covey[env]
+        return import_module("covey.envs")
     if name not in _HOME:
         raise AttributeError(f"module 'covey' has no attribute {name!r}")
     value = getattr(import_module(_HOME[name]), name)

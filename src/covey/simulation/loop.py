@@ -55,10 +55,10 @@ def play(
     times: list[float] = []
     while state.alive[0] > 0 and state.time[0] < rules.time_limit and page < MOST_UPDATES:
         alive = int(state.alive[0])
-        state.turns[:alive] = _checked_turns(plan(_situation(state, disk)), alive)
+        state.turns[:alive] = checked_turns(plan(situation_of(state, disk)), alive)
         announce(state, rules)
-        target, velocity, intended = _checked_decision(
-            decide(_situation(state, disk, flies=flies)), state, disk, flies=flies
+        target, velocity, intended = checked_decision(
+            decide(situation_of(state, disk, flies=flies)), state, disk, flies=flies
         )
         if page + 2 > len(pages.times):
             pages = more_pages(pages)
@@ -84,7 +84,7 @@ def play(
     )
 
 
-def _situation(state: State, disk: PursuerDisk, *, flies: bool = False) -> Situation:
+def situation_of(state: State, disk: PursuerDisk, *, flies: bool = False) -> Situation:
     """What the team knows and, if the pursuer `flies`, what only the pursuer does: its place."""
     alive = int(state.alive[0])
     rows = state.evaders[:alive]
@@ -100,7 +100,7 @@ def _situation(state: State, disk: PursuerDisk, *, flies: bool = False) -> Situa
     )
 
 
-def _checked_turns(turns: object, alive: int) -> Floats:
+def checked_turns(turns: object, alive: int) -> Floats:
     checked = frozen_array("turns returned by the team's strategy", turns, (alive,))
     if np.abs(checked).max() > math.pi:
         raise InputError(
@@ -110,7 +110,7 @@ def _checked_turns(turns: object, alive: int) -> Floats:
     return checked
 
 
-def _checked_decision(
+def checked_decision(
     decision: object, state: State, disk: PursuerDisk, *, flies: bool
 ) -> tuple[int, tuple[float, float], Ints]:
     """Return the row of the target, the velocity, and the rows of the sequence in mind."""
