@@ -114,17 +114,64 @@ def fly(state: State, rules: Rules, target: int, velocity_x: float, velocity_y: 
     elif not rules.hidden:
         disk[2] = 0.0
     if not rules.hidden and rules.reach > 0.0:
-        for i in range(state.alive[0]):
-            if i != target:
-                contact = first_contact(
-                    paths, i, disk[0], disk[1], velocity_x, velocity_y, rules.reach, elapsed
-                )
-                if contact < elapsed or (contact == elapsed and captured == NOBODY):
-                    elapsed, captured = contact, i
+        elapsed, captured = _first_taken(
+            state, rules, disk[0], disk[1], velocity_x, velocity_y, target, elapsed, captured
+        )
     _move_pursuer(state, rules, elapsed, captured, captured == target, velocity_x, velocity_y)
     _move_evaders(state, elapsed)
     state.time[0] += elapsed
     return captured
+
+
+@compiled
+def fly_hidden_point(
+    state: State, rules: Rules, place: Floats, velocity_x: float, velocity_y: float
+) -> int:
+    """Fly what is announced, with a hidden pursuer that has a place (2,) in its disk.
+
+    It flies the velocity given and takes whomever it comes within ρ > 0 of, as a visible one does;
+    of its place the team learns only by captures. Otherwise as `fly`.
+    """
+    elapsed, captured = _first_taken(
+        state,
+        rules,
+        place[0],
+        place[1],
+        velocity_x,
+        velocity_y,
+        NOBODY,
+        min(rules.update_time, rules.time_limit - state.time[0]),
+        NOBODY,
+    )
+    place[0] += velocity_x * elapsed
+    place[1] += velocity_y * elapsed
+    _move_pursuer(state, rules, elapsed, captured, False, velocity_x, velocity_y)
+    _move_evaders(state, elapsed)
+    state.time[0] += elapsed
+    return captured
+
+
+@compiled
+def _first_taken(
+    state: State,
+    rules: Rules,
+    x: float,
+    y: float,
+    velocity_x: float,
+    velocity_y: float,
+    target: int,
+    elapsed: float,
+    captured: int,
+) -> tuple[float, int]:
+    """When and whom a flight from (x, y) first takes, if not its target `captured` at `elapsed`."""
+    for i in range(state.alive[0]):
+        if i != target:
+            contact = first_contact(
+                state.paths, i, x, y, velocity_x, velocity_y, rules.reach, elapsed
+            )
+            if contact < elapsed or (contact == elapsed and captured == NOBODY):
+                elapsed, captured = contact, i
+    return elapsed, captured
 
 
 @compiled

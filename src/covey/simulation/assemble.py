@@ -35,9 +35,8 @@ def assemble(
         pages.intended[:count],
     )
     done = len(order) == len(team)
-    hidden = settings.sensing == "hidden"
     pursuer = pages.pursuers[:, :2]
-    if hidden:
+    if settings.sensing == "hidden" and not settings.flown:
         pursuer = _explaining_flight(disk, order, times, pages)
     return Game(
         team=team,

@@ -26,6 +26,10 @@ class Settings:
         Whole number >= 0.
     time_limit
         A game is stopped then; inf: never.
+    flown
+        A hidden pursuer has a place, the disk's centre at first, and is flown from there, as a
+        person does. It captures whomever it comes within ρ of, so ρ > 0 is needed. By default a
+        hidden pursuer is its disk.
 
     Raises
     ------
@@ -37,6 +41,7 @@ class Settings:
     update_time: float
     seed: int
     time_limit: float = math.inf
+    flown: bool = False
 
     def __post_init__(self) -> None:
         """Check every field."""

@@ -35,6 +35,8 @@ class Situation:
     turns : numpy.ndarray
         (n,) signed turns still to be flown of the plan announced last. For the team, it is the one
         flown until now; for the pursuer, the one just announced.
+    place : numpy.ndarray or None
+        (2,) where a hidden pursuer that is flown is: told to nobody but itself.
     """
 
     time: float
@@ -42,6 +44,7 @@ class Situation:
     team: Team
     disk: PursuerDisk
     turns: Floats
+    place: Floats | None = None
 
 
 @dataclass(frozen=True)
@@ -59,7 +62,7 @@ class Chase:
 
 @dataclass(frozen=True)
 class Fly:
-    """A visible pursuer flies this velocity; a hidden one, which has no place, can only wait.
+    """A pursuer that has a place flies this velocity; one that is its disk can only wait.
 
     Attributes
     ----------
