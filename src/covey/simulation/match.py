@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from covey.kernels.ascent import ascent_scratch
@@ -86,7 +88,7 @@ class Match:
     def step(self) -> None:
         """Let the pursuer decide, fly until the next update or capture, and let the team plan."""
         self._updates += 1
-        taken = self._fly(self._decide(self._situation(self._place)))
+        taken = self._fly(self._decide(self._for_pursuer()))
         if taken != NOBODY:
             self._order.append(int(self._state.ids[taken]))
             self._times.append(self.time)
@@ -112,7 +114,8 @@ class Match:
 
     def _announce_plan(self) -> None:
         alive = int(self._state.alive[0])
-        self._state.turns[:alive] = checked_turns(self._plan(self._situation(None)), alive)
+        self._now = self._situation()
+        self._state.turns[:alive] = checked_turns(self._plan(self._now), alive)
         announce(self._state, self._rules)
         self._write()
 
@@ -138,7 +141,7 @@ class Match:
         if self._place is not None:
             self._pages.pursuers[page, :2] = self._place
 
-    def _situation(self, place: Floats | None) -> Situation:
+    def _situation(self) -> Situation:
         state, disk = self._state, self._disk
         alive = int(state.alive[0])
         rows = state.evaders[:alive]
@@ -148,8 +151,13 @@ class Match:
             team=Team(rows[:, :2], rows[:, 2], rows[:, 3], rows[:, 4]),
             disk=PursuerDisk(state.disk[:2], state.disk[2], disk.speed, disk.capture_radius),
             turns=_read_only_copy(state.turns[:alive]),
-            place=None if place is None else _read_only_copy(place),
         )
+
+    def _for_pursuer(self) -> Situation:
+        """What the team has seen, the turns it has announced since, and where the pursuer is."""
+        turns = _read_only_copy(self._state.turns[: len(self._now.turns)])
+        place = None if self._place is None else _read_only_copy(self._place)
+        return replace(self._now, turns=turns, place=place)
 
 
 def _first_place(disk: PursuerDisk, settings: Settings) -> Floats | None:

@@ -47,13 +47,12 @@ def picture(game: Game, row: int) -> Json:
         "guarantee": float(game.guarantees[row]),
         "sequence": sequence.tolist(),
         "expected": _expected(game, row, sequence),
-        "captured": list(
-            zip(
-                game.capture_sequence[:captured].tolist(),
-                game.capture_times[:captured].tolist(),
-                strict=True,
+        "captured": [
+            [int(i), float(time)]
+            for i, time in zip(
+                game.capture_sequence[:captured], game.capture_times[:captured], strict=True
             )
-        ),
+        ],
     }
 
 

@@ -12,12 +12,10 @@ from urllib.parse import urlsplit
 
 def is_own_host(host: str, served: str) -> bool:
     """Return whether a Host header names this machine: by address, as localhost, or as `served`."""
-    name = urlsplit(f"//{host}").hostname
-    if name is None:
-        return False
-    if name in {"localhost", served.lower()}:
-        return True
     try:
+        name = urlsplit(f"//{host}").hostname or ""
+        if name in {"localhost", served.lower()}:
+            return True
         ipaddress.ip_address(name)
     except ValueError:
         return False

@@ -6,6 +6,7 @@ import socket
 import sys
 import webbrowser
 from threading import Timer
+from typing import Any
 
 import uvicorn
 
@@ -60,14 +61,22 @@ def listen(host: str, port: int) -> socket.socket:
     """Return a socket that listens; port 0 takes any that is free."""
     try:
         family, *_, place = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
-        listener = socket.socket(family, socket.SOCK_STREAM)
-        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        listener.bind(place)
+        return _bound(family, place)
     except OSError as error:
         raise InputError(
             f"can't listen on {host}, port {port}: {error.strerror}; "
             "choose another port with --port, or leave the choice to covey with --port 0"
         ) from error
+
+
+def _bound(family: socket.AddressFamily, place: tuple[Any, ...]) -> socket.socket:
+    listener = socket.socket(family, socket.SOCK_STREAM)
+    try:
+        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listener.bind(place)
+    except OSError:
+        listener.close()
+        raise
     return listener
 
 
