@@ -87,7 +87,9 @@ class Tab:
 
     def place_of(self, x, y):
         """Where a place of the game is on the screen."""
-        return self.evaluate("([x, y]) => document.getElementById('board').camera.toScreen(x, y)", [x, y])
+        return self.evaluate(
+            "([x, y]) => document.getElementById('board').camera.toScreen(x, y)", [x, y]
+        )
 
     def chase(self):
         """Play the game that is ready to its end, with the mouse; return the score that came."""

@@ -6,7 +6,7 @@ import math
 
 
 def aim(picture, cast):
-    """The place at which a straight flight meets the first of the living, if it flies straight on."""
+    """Where to meet the evader that should be captured next, if it flies straight on."""
     i = picture["sequence"][0]
     x, y, heading, _ = picture["evaders"][i]
     away_x, away_y = x - picture["pursuer"][0], y - picture["pursuer"][1]

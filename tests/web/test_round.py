@@ -111,7 +111,9 @@ def test_a_team_that_is_sure_to_outlive_the_person_is_refused():
 
 
 def test_somebody_within_reach_at_the_start_is_captured_at_once():
-    seed = next(s for s in range(500) if np.hypot(*Choices(evaders=1, seed=s).game()[0].positions[0]) < 0.1)
+    seed = next(
+        s for s in range(500) if np.hypot(*Choices(evaders=1, seed=s).game()[0].positions[0]) < 0.1
+    )
     game = Round(Choices(evaders=1, seed=seed, capture_radius=0.1))
     game.play(1)
     assert game.over

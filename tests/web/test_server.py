@@ -1,4 +1,4 @@
-"""The server as a network sees it: who gets in, what it withstands, what it does when it is full."""
+"""The server as a network sees it: who gets in, what it withstands, what it does when full."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ import re
 import socket
 import threading
 import time
-from contextlib import closing
+from contextlib import closing, suppress
 from pathlib import Path
 
+import numpy as np
 import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
@@ -127,8 +128,9 @@ def test_a_flood_is_dropped_and_the_game_goes_on(server):
 
 def test_too_much_at_once_ends_the_connection_and_no_other(server):
     with server.page() as other, server.page() as page:
-        with pytest.raises(ConnectionClosed):
+        with suppress(ConnectionClosed):  # before all of it is sent, or after
             page.send(bytes(17 * 2**20))
+        with pytest.raises(ConnectionClosed):
             page.recv(timeout=10)
         say(other, type="new", choices={"evaders": 1})
         hear(other, "game")
@@ -179,48 +181,42 @@ def test_one_page_too_many_is_told_so(server, monkeypatch):
             assert "1 pages" in second.protocol.close_reason
 
 
-def fly(server, seconds, rates, times):
-    """Fly in circles; remember what the page was told last."""
+def fly(server, seconds, seen):
+    """Fly in circles; note for each frame when it came, the game's time and the rate."""
     with server.page() as page:
-        _fly(page, seconds, rates, times)
+        say(page, type="new", choices={"evaders": 5, "capture_radius": 0.01, "seed": 1})
+        hear(page, "optimal", timeout=60.0)
+        say(page, type="run", pace=1.0)
+        frames, began = [], time.monotonic()
+        while time.monotonic() < began + seconds:
+            frame = hear(page, "frame")
+            frames.append((time.monotonic(), frame["time"], frame["rate"]))
+            say(page, type="steer", heading=frame["time"])
+        seen.append(frames)
 
 
-def _fly(page, seconds, rates, times):
-    say(page, type="new", choices={"evaders": 5, "capture_radius": 0.01, "seed": 1})
-    hear(page, "optimal", timeout=60.0)
-    say(page, type="run", pace=1.0)
-    ends, frames = time.monotonic() + seconds, 0
-    while time.monotonic() < ends:
-        frame = hear(page, "frame")
-        frames += 1
-        say(page, type="steer", heading=frame["time"])
-    rates.append(frame["rate"])
-    times.append((frame["time"] / seconds, frames / seconds))
-
-
-def fifty(server, count, seconds):
-    rates, times = [], []
-    threads = [
-        threading.Thread(target=fly, args=(server, seconds, rates, times)) for _ in range(count)
-    ]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    return rates, times
+def pace_at_the_end(frames):
+    """How fast the game ran in its last second, beside the clock on the wall."""
+    last, time, _ = frames[-1]
+    since, before, _ = next(frame for frame in frames if frame[0] > last - 1.0)
+    return (time - before) / (last - since)
 
 
 def test_fifty_pages_slow_down_and_say_so(server):
-    rates, times = fifty(server, 50, 4.0)
-    assert len(rates) == 50  # nobody was left behind, nothing broke
-    assert min(rates) > 1.0
-    # The rate that is shown is the true one: each update is 0.005 of the game's time.
-    for rate, (pace, _) in zip(rates, times, strict=True):
-        assert pace < 1.05
-        assert rate * UPDATE_TIME == pytest.approx(pace, rel=0.4)
-    paces = sorted(pace for pace, _ in times)
-    print(f"\n50 pages: {sum(rates) / 50:.0f} plans a second each, {min(rates):.0f} to {max(rates):.0f}")
-    print(f"pace {paces[0]:.2f} to {paces[-1]:.2f}, frames {min(f for _, f in times):.0f} a second")
+    seen = []
+    pages = [threading.Thread(target=fly, args=(server, 4.0, seen)) for _ in range(50)]
+    for page in pages:
+        page.start()
+    for page in pages:
+        page.join()
+    assert len(seen) == 50  # nothing broke, and nobody was left behind
+    rates = np.array([frames[-1][2] for frames in seen])
+    paces = np.array([pace_at_the_end(frames) for frames in seen])
+    assert paces.min() > 0.0
+    assert paces.max() < 1.1  # slower, never faster, to make up for it
+    # What is shown is true: an update is as long as ever, so the pace tells how many there were.
+    assert rates.mean() * UPDATE_TIME == pytest.approx(paces.mean(), rel=0.3)
+    print(f"\n50 pages: {rates.mean():.0f} plans a second each, the slowest {rates.min():.0f}")
     wait_for(lambda: server.pages() == 0)
 
 

@@ -35,7 +35,7 @@ def chase(
     missing = [name for name in ("starlette", "uvicorn", "websockets") if find_spec(name) is None]
     if missing:
         raise InputError(
-            f"covey chase needs {', '.join(missing)}, which come with the extra `web`: "
+            f"covey chase needs {' and '.join(missing)}, which comes with the extra `web`: "
             "pip install 'covey[web]'"
         )
     if not 0 <= port < 2**16:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import socket
 import sys
 import webbrowser
@@ -12,9 +13,8 @@ import uvicorn
 
 from covey.model import InputError
 from covey.web.app import make_app
-from covey.web.choices import Choices
 from covey.web.opened import MOST_BYTES
-from covey.web.round import Round
+from covey.web.session import Session
 
 _GRACE = 1
 """Seconds that open pages get to close when the server ends."""
@@ -88,6 +88,8 @@ def page_address(host: str, port: int) -> str:
 
 def warm_up() -> None:
     """Load the kernels, and compile them where that has not been done, before anybody waits."""
-    game = Round(Choices(evaders=2, sensing="hidden"))
-    game.play(10)
-    assert game.optimal.survival_time > 0.0
+    session = Session()
+    for sensing in ("visible", "hidden"):
+        choices = {"evaders": 2, "sensing": sensing}
+        for message in ({"type": "new", "choices": choices}, {"type": "step"}):
+            list(session.receive(json.dumps(message), 0.0))

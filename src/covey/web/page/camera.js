@@ -1,8 +1,8 @@
 // What part of the plane is seen: everybody who is in the game, with room around.
 
 const ROOM = 1.5;
-const SECONDS = 0.5; // in which the view follows
-const LEAST_SHARE = 0.16; // of the first view: the last chase isn't magnified without end
+const SECONDS = 0.35; // in which the view follows
+const LEAST_SHARE = 0.45; // of the first view: the last chase isn't magnified without end
 
 export class Camera {
   constructor() {

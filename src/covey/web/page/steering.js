@@ -16,7 +16,8 @@ export class Steering {
       this.pointer = [event.clientX - box.left, event.clientY - box.top];
       this.keys.clear();
     };
-    canvas.addEventListener("pointermove", move);
+    // Also over what lies on the board: one doesn't look at the pointer in a chase.
+    canvas.parentElement.addEventListener("pointermove", move);
     canvas.addEventListener("pointerdown", (event) => {
       canvas.setPointerCapture(event.pointerId);
       move(event);
