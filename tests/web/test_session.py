@@ -22,7 +22,10 @@ class Page:
 
     def __init__(self, **choices):
         self.session, self.now = Session(), 0.0
-        self.game, self.optimal = self.ask(type="new", choices=choices) if choices else (None, None)
+        self.game = self.optimal = None
+        if choices:
+            (self.game,) = self.ask(type="new", choices=choices)
+            (self.optimal,) = self.wait(0.0)
 
     def ask(self, **message):
         return self.send(json.dumps(message))

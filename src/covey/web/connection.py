@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import json
 import time
-from collections.abc import Callable, Iterator
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
@@ -63,29 +62,28 @@ async def _read(websocket: WebSocket, inbox: Inbox) -> None:
 async def _play(websocket: WebSocket, inbox: Inbox) -> None:
     """Answer what has come and play what is due, frame by frame.
 
-    Planning goes on in threads: the kernels let others run beside them.
+    Both happen in a thread, for the kernels let others run beside them; one thread a frame, so that
+    messages that come fast don't queue up.
     """
     session = Session()
     while True:
         began = time.monotonic()
-        if not session.running:
-            await _answer(websocket, session, await inbox.get())
+        messages = [] if session.busy else [await inbox.get()]
         while not inbox.empty():
-            await _answer(websocket, session, inbox.get_nowait())
-        if session.running:
-            for reply in await asyncio.to_thread(_all, session.advance):
-                await _send(websocket, reply)
+            messages.append(inbox.get_nowait())
+        for reply in await asyncio.to_thread(_replies, session, messages):
+            await _send(websocket, reply)
+        if session.busy:
             await asyncio.sleep(max(0.0, began + _FRAME - time.monotonic()))
 
 
-async def _answer(websocket: WebSocket, session: Session, message: str | bytes) -> None:
-    replies = session.receive(message, time.monotonic())
-    while (reply := await asyncio.to_thread(next, replies, None)) is not None:
-        await _send(websocket, reply)
-
-
-def _all(advance: Callable[[float], Iterator[Reply]]) -> list[Reply]:
-    return list(advance(time.monotonic()))
+def _replies(session: Session, messages: list[str | bytes]) -> list[Reply]:
+    replies: list[Reply] = []
+    for message in messages:
+        replies += session.receive(message, time.monotonic())
+    if not replies:  # what is asked for is sent before more is computed
+        replies += session.advance(time.monotonic())
+    return replies
 
 
 async def _send(websocket: WebSocket, reply: Reply) -> None:

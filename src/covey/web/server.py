@@ -6,7 +6,7 @@ import json
 import socket
 import sys
 import webbrowser
-from threading import Timer
+from threading import Thread
 from typing import Any
 
 import uvicorn
@@ -34,8 +34,8 @@ def serve(host: str, port: int, *, open_browser: bool) -> None:
         address = page_address(host, listener.getsockname()[1])
         print(f"covey: the page is at {address}\nCtrl-C ends it.", flush=True)
         if open_browser:
-            # A moment later, when the server answers.
-            Timer(0.3, webbrowser.open, [address]).start()
+            # In a thread: a browser of the terminal's doesn't come back before it is closed.
+            Thread(target=webbrowser.open, args=[address], daemon=True).start()
         server = uvicorn.Server(configuration(host))
         try:
             server.run(sockets=[listener])
@@ -74,6 +74,7 @@ def _bound(family: socket.AddressFamily, place: tuple[Any, ...]) -> socket.socke
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         listener.bind(place)
+        listener.listen()  # who comes before the server is ready waits, and isn't refused
     except OSError:
         listener.close()
         raise
@@ -93,3 +94,4 @@ def warm_up() -> None:
         choices = {"evaders": 2, "sensing": sensing}
         for message in ({"type": "new", "choices": choices}, {"type": "step"}):
             list(session.receive(json.dumps(message), 0.0))
+            list(session.advance(0.0))

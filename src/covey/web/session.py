@@ -28,11 +28,12 @@ class Session:
     def __init__(self) -> None:
         self._clock = Clock(UPDATE_TIME)
         self._round: Round | None = None
+        self._owes_optimal = False
 
     @property
-    def running(self) -> bool:
-        """Whether time runs, so that `advance` has something to do."""
-        return self._clock.running
+    def busy(self) -> bool:
+        """Whether `advance` has something to do."""
+        return self._clock.running or self._owes_optimal
 
     def receive(self, message: str | bytes, now: float) -> Iterator[Reply]:
         """Do what a page asks for, and answer; a mistake is answered too, and changes nothing."""
@@ -45,7 +46,11 @@ class Session:
             yield error_reply(str(error))
 
     def advance(self, now: float) -> Iterator[Reply]:
-        """Play what is due; yields the state and, when the game ends, the score."""
+        """Do what is due: the optimal game at first, then updates and, when they end, the score."""
+        if self._owes_optimal:
+            self._owes_optimal = False
+            optimal = self._required_round().optimal
+            yield {"type": "optimal", "survival_time": optimal.survival_time}
         updates = self._clock.due(now)
         if updates:
             yield from self._play(updates, now)
@@ -53,7 +58,7 @@ class Session:
     def _answer(self, text: str, now: float) -> Iterator[Reply]:
         message = read_message(text)
         if isinstance(message, New):
-            yield from self._set_up(message)
+            yield self._set_up(message)
             return
         game = self._required_round()
         match message:
@@ -72,12 +77,12 @@ class Session:
             case Save(game=which):
                 yield _file(self._whole_game(which))
 
-    def _set_up(self, message: New) -> Iterator[Reply]:
+    def _set_up(self, message: New) -> Reply:
         game = Round(message.choices)
         self._clock.pause()
-        self._round = game
+        self._round, self._owes_optimal = game, True
         start = game.record()
-        yield {
+        return {
             "type": "game",
             "choices": message.choices.model_dump(),
             "cast": cast(start),
@@ -85,8 +90,6 @@ class Session:
             "update_time": UPDATE_TIME,
             "time_limit": TIME_LIMIT,
         }
-        # It takes as long again as the first plan; the page is shown meanwhile.
-        yield {"type": "optimal", "survival_time": game.optimal.survival_time}
 
     def _play(self, updates: int, now: float) -> Iterator[Reply]:
         game = self._required_round()

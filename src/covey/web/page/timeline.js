@@ -11,7 +11,7 @@ export class Timeline {
   // `end` of a film that can be scrubbed through, or null during a game.
   show({ time, captures, guarantee, optimal, end }) {
     const known = [guarantee, optimal ?? 0, end ?? 0];
-    const span = Math.max(1.12 * Math.max(...known), end === null ? 1.02 * time : 0) || 1;
+    const span = Math.max(1.2 * Math.max(...known), end === null ? 1.02 * time : 0) || 1;
     this.fill.style.width = `${(100 * time) / span}%`;
     this.scrub.hidden = end === null;
     this.scrub.max = span;
