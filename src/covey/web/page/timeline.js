@@ -1,6 +1,6 @@
 // Time as a line: now, the captures, what was guaranteed, what the optimal pursuer needed.
 
-const WORDS = 110; // pixels
+const WORDS = { guaranteed: 104, optimal: 82 }; // pixels
 
 export class Timeline {
   constructor(fill, marks, scrub, onScrub) {
@@ -29,7 +29,8 @@ export class Timeline {
       const late = Math.max(guarantee, optimal) / span;
       marks.push(mark("optimal", optimal / span, `optimal ${short(optimal)}`));
       // The words stand outside of the two marks or, where there is no room, at the ends.
-      const roomy = width * early > WORDS && width * (1 - late) > WORDS;
+      const [first, last] = guarantee <= optimal ? ["guaranteed", "optimal"] : ["optimal", "guaranteed"];
+      const roomy = width * early > WORDS[first] && width * (1 - late) > WORDS[last];
       marks.forEach((each, k) => each.classList.add((k === 0) === (guarantee <= optimal) ? "left-of" : "right-of"));
       this.marks.classList.toggle("narrow", !roomy);
     }
