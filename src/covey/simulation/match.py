@@ -80,18 +80,13 @@ class Match:
             or self._updates >= MOST_UPDATES
         )
 
-    @property
-    def time(self) -> float:
-        """Time since the start of the game."""
-        return float(self._state.time[0])
-
     def step(self) -> None:
         """Let the pursuer decide, fly until the next update or capture, and let the team plan."""
         self._updates += 1
         taken = self._fly(self._decide(self._for_pursuer()))
         if taken != NOBODY:
             self._order.append(int(self._state.ids[taken]))
-            self._times.append(self.time)
+            self._times.append(float(self._state.time[0]))
             remove(self._state, taken)
         if self.over:
             announce(self._state, self._rules)
@@ -146,7 +141,7 @@ class Match:
         alive = int(state.alive[0])
         rows = state.evaders[:alive]
         return Situation(
-            time=self.time,
+            time=float(state.time[0]),
             evaders=tuple(state.ids[:alive].tolist()),
             team=Team(rows[:, :2], rows[:, 2], rows[:, 3], rows[:, 4]),
             disk=PursuerDisk(state.disk[:2], state.disk[2], disk.speed, disk.capture_radius),

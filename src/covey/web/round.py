@@ -67,11 +67,6 @@ class Round:
         """Whether everybody is captured, or the time limit is reached."""
         return self._match.over
 
-    @property
-    def time(self) -> float:
-        """Time since the start of the game."""
-        return self._match.time
-
     def play(self, updates: int) -> int:
         """Play on for so many updates, or to the end; return how many it were."""
         for played in range(updates):
