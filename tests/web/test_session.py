@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -162,6 +163,27 @@ def test_what_is_no_record_is_refused(tmp_path, monkeypatch):
     assert "at most 10 numbers" in page.error(content)
     monkeypatch.setattr(opened, "MOST_BYTES", 10)
     assert "at most 10 bytes" in page.error(content)
+
+
+@pytest.mark.parametrize(
+    "forged",
+    [
+        {"guarantee": math.nan},
+        {"guarantees": np.full(3, np.inf)},
+        {"critical_sequences": np.full((3, 1), 7)},
+        {"evader_positions": np.full((3, 1, 2), np.nan)},
+        {"pursuer_positions": np.full((3, 2), np.nan)},
+        {"strategies": {"evaders": {"name": "x"}, "pursuer": 3}},
+        {"disk_radii": np.full(3, -1.0)},
+    ],
+)
+def test_a_record_that_contradicts_itself_is_refused(tmp_path, forged):
+    team = covey.Team([[0.015, 0.0]], [0.0])
+    game = covey.simulate(team, covey.PursuerDisk())
+    assert len(game.times) == 3
+    path = tmp_path / "game.parquet"
+    covey.save_game(replace(game, **forged), path)
+    assert "record: it contradicts itself" in Page().error(path.read_bytes())
 
 
 @pytest.mark.parametrize(

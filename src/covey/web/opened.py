@@ -2,31 +2,35 @@
 
 from __future__ import annotations
 
+import json
 from io import BytesIO
 
 from covey.model import InputError
-from covey.simulation import Game
 from covey.simulation.storage import read_game
+from covey.web.film import Json, film
 
 MOST_BYTES = 16 * 2**20
 MOST_NUMBERS = 10**7
 """In the table once it is unpacked: a small file can hide a huge one."""
 
 
-def opened_game(content: bytes) -> Game:
-    """Return the game in a file, or raise InputError that says why there is none."""
-    if len(content) > MOST_BYTES:
-        raise InputError(
-            f"record: expected at most {MOST_BYTES} bytes, got {len(content)}; draw it with "
-            "`covey draw`"
-        )
-    numbers = _numbers(content)
-    if numbers > MOST_NUMBERS:
-        raise InputError(
-            f"record: expected at most {MOST_NUMBERS} numbers, got {numbers}; draw it with "
-            "`covey draw`"
-        )
-    return read_game(content, "record")
+def opened_film(content: bytes) -> Json:
+    """Return the film of the game in a file, or raise InputError that says why there is none."""
+    for kind, most, size in (
+        ("bytes", MOST_BYTES, len(content)),
+        ("numbers", MOST_NUMBERS, _numbers(content)),
+    ):
+        if size > most:
+            raise InputError(
+                f"record: expected at most {most} {kind}, got {size}; draw it with `covey draw`"
+            )
+    game = read_game(content, "record")
+    try:
+        result = film(game)
+        json.dumps([result, game.times[0]], allow_nan=False)  # no row, or a nan, is an error
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        raise InputError(f"record: it contradicts itself: {error}") from error
+    return result
 
 
 def _numbers(content: bytes) -> int:

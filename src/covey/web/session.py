@@ -12,7 +12,7 @@ from covey.simulation.storage import write_game
 from covey.web.clock import Clock
 from covey.web.film import cast, film, picture
 from covey.web.messages import Film, New, Pause, Run, Save, Steer, Step, read_message
-from covey.web.opened import opened_game
+from covey.web.opened import opened_film
 from covey.web.round import TIME_LIMIT, UPDATE_TIME, Round
 
 STEP_UPDATES = 10
@@ -39,7 +39,7 @@ class Session:
         """Do what a page asks for, and answer; a mistake is answered too, and changes nothing."""
         try:
             if isinstance(message, bytes):
-                yield {"type": "film", "game": "opened", **film(opened_game(message))}
+                yield {"type": "film", "game": "opened", **opened_film(message)}
             else:
                 yield from self._answer(message, now)
         except InputError as error:
