@@ -115,6 +115,7 @@ def test_the_board_shows_what_the_team_plans_and_hides_it_on_demand(open_page):
 def test_keys_start_steer_pause_and_step(open_page):
     tab = open_page("?evaders=2&seed=3&capture_radius=0.01")
     keys = tab.page.keyboard
+    tab.page.get_by_role("button", name="Start", exact=True).focus()
     keys.press("Space")
     tab.wait(lambda: "frame" in tab.heard)
     keys.down("ArrowUp")
@@ -158,6 +159,16 @@ def test_the_address_is_the_game(open_page):
     assert "sensing=visible" in address
     third = open_page(address[address.index("?") :])
     assert third.heard["game"] == one.heard["game"]
+
+
+def test_another_start_is_another_one_also_after_fig3(open_page):
+    tab = open_page("?start=fig3&seed=5")
+    tab.page.get_by_role("button", name="Another start").click()
+    tab.wait(lambda: tab.heard["game"]["choices"]["start"] == "random")
+    before = tab.heard["game"]["picture"]["evaders"]
+    tab.page.keyboard.press("n")
+    tab.wait(lambda: tab.heard["game"]["picture"]["evaders"] != before)
+    tab.see("Press on the board to start")
 
 
 def test_nonsense_in_the_address_is_answered(browser, server):
@@ -245,9 +256,9 @@ def test_reduced_motion_keeps_the_view_still(open_page):
 def test_everything_has_a_name_for_those_who_cannot_see(open_page):
     tab = open_page()
     tree = tab.page.locator("body").aria_snapshot()
-    assert not re.search(
-        r"- (button|slider|combobox|textbox|radio|switch|checkbox)\s*$", tree, re.M
-    )
+    kinds = "button|slider|combobox|spinbutton|radio|switch|checkbox|application"
+    assert len(re.findall(rf"- ({kinds}) \"", tree)) > 20
+    assert re.findall(rf"- (?:{kinds})(?! \").*", tree) == []
     assert "sure to survive" in tab.text("said")
 
 

@@ -45,11 +45,14 @@ export class Choices {
     this.form.elements.evaders.disabled = fig3;
     for (const slider of this.form.querySelectorAll(".slider")) {
       const value = Number(slider.querySelector("input").value);
-      slider.querySelector("output").textContent = String(Number(value.toFixed(2)));
+      slider.querySelector(".value").textContent = String(Number(value.toFixed(2)));
     }
   }
 
-  anotherSeed() {
+  // Fig. 3 is one start only.
+  anotherStart() {
+    if (this.form.elements.start.value === "fig3") this.form.elements.start.value = "random";
+    this.label();
     this.form.elements.seed.value = Math.floor(Math.random() * 10000);
   }
 

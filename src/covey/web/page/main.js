@@ -44,7 +44,7 @@ function newGame() {
 }
 
 function anotherGame() {
-  choices.anotherSeed();
+  choices.anotherStart();
   newGame();
 }
 

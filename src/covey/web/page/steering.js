@@ -60,8 +60,9 @@ export class Steering {
   }
 }
 
-// Whether a key is meant for the game, and not for a field, a slider or a button.
+// Whether a key is meant for the game, and not for a field or, as Space is, for a button.
 export function steers(event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return false;
-  return !event.target.closest?.("input, select, textarea, summary, a, button");
+  const within = (kinds) => event.target.closest?.(kinds);
+  return !within("input, select") && !(event.code === "Space" && within("button, summary"));
 }
