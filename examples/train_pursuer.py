@@ -122,14 +122,14 @@ def pursuer_of(model, size):
 
     def decide(situation):
         rows, n = np.zeros((1, size, 6)), len(situation.evaders)
-        team, disk = situation.team, situation.disk
-        rows[0, :n, :2] = team.positions - disk.center
+        team, pursuer = situation.team, situation.pursuer
+        rows[0, :n, :2] = team.positions - pursuer.center
         rows[0, :n, 2] = team.speeds * np.cos(team.headings)
         rows[0, :n, 3] = team.speeds * np.sin(team.headings)
         rows[0, :n, 4], rows[0, :n, 5] = situation.turns, 1.0
         seen, ahead = look(rows)
         velocity = directions(model(seen), ahead)[0]
-        return covey.Fly(tuple(disk.speed * velocity / np.hypot(*velocity)))
+        return covey.Fly(tuple(pursuer.speed * velocity / np.hypot(*velocity)))
 
     return decide
 

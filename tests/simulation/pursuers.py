@@ -80,3 +80,16 @@ class Unseen:
 
     def place(self, disk):
         return disk.center + disk.radius * np.array([math.cos(self.seed), math.sin(self.seed)])
+
+
+class Steered:
+    """Is at the disk's centre and goes from there, hidden or not, as a function says."""
+
+    def __init__(self, decide):
+        self.decide = decide
+
+    def start(self, seed):
+        return self.decide
+
+    def place(self, disk):
+        return disk.center

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from itertools import chain, repeat
 
 import numpy as np
 import pytest
 
 import covey
-from games import random_game
+from games import fleeing, random_game
 from simulation import pursuers
 from simulation.flight import captures
 
@@ -17,6 +18,10 @@ REACH = 0.03
 
 
 PLAYERS = [pursuers.Unseen(), covey.FlyingPursuer(), covey.FlyingPursuer(0.1, (0.6, -0.8))]
+
+
+def along(bearing):
+    return covey.Fly((math.cos(bearing), math.sin(bearing)))
 
 
 def distance(a, b):
@@ -98,6 +103,35 @@ def test_it_starts_where_it_says(sensing):
     assert game.pursuer_positions[0] == pytest.approx([0.5, 2.0])
     assert game.survival_time == pytest.approx(2.5 / 0.75)  # of a disk only: 1.5 / 0.75
     assert game.guarantee == pytest.approx(1.5 / 0.75)
+
+
+@pytest.mark.parametrize("sensing", ["hidden", "visible"])
+def test_a_straight_chase_by_hand(sensing):
+    # It is over after (d - ρ) / (v_p - v), inside an update interval.
+    disk, steered = covey.PursuerDisk(capture_radius=0.02), pursuers.Steered(lambda now: along(0.7))
+    game = covey.simulate(fleeing(0.5), disk, pursuer=steered, sensing=sensing)
+    assert game.survival_time == pytest.approx(0.48 / 0.75, rel=1e-12)
+    assert np.hypot(*game.pursuer_positions[-1]) == pytest.approx(0.64, rel=1e-12)
+    if sensing == "hidden":
+        assert game.disk_radii[-1] == 0.02
+        assert game.disk_centers[-1] == pytest.approx(game.evader_positions[-1, 0])
+
+
+def test_whoever_comes_within_reach_is_captured_chased_or_not():
+    disk = covey.PursuerDisk(capture_radius=0.05)
+    team = covey.Team([[0.3, 0.04], [0.6, 0.0]], [0.0, 0.0], 0.0)
+    for decision in (along(0.0), covey.Chase((1,)), covey.Chase((1, 0))):
+        decisions = chain([decision], repeat(along(0.0)))
+        steered = pursuers.Steered(lambda now, decisions=decisions: next(decisions))
+        game = covey.simulate(team, disk, pursuer=steered)
+        assert game.capture_sequence.tolist() == [0, 1]
+        assert game.capture_times == pytest.approx([0.3 - 0.03, 0.55], rel=1e-9)
+
+
+def test_a_velocity_that_it_cannot_fly_is_an_error():
+    steered = pursuers.Steered(lambda now: covey.Fly((1.1, 0.0)))
+    with pytest.raises(covey.InputError, match="a speed of at most 1"):
+        covey.simulate(fleeing(0.5), covey.PursuerDisk(), pursuer=steered)
 
 
 def test_far_from_the_origin_the_edge_of_the_disk_is_still_in_it():

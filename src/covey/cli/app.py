@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 from cyclopts import App, CycloptsError
 
+from covey.cli.chase import chase
 from covey.cli.draw import draw
 from covey.cli.plan import plan
 from covey.cli.reproduce import reproduce
@@ -32,6 +33,7 @@ Try:
     covey plan fig3
     covey simulate fig3 --output game.parquet
     covey draw game.parquet --output game.png
+    covey chase
 
 Angles are radians, counter-clockwise from +x; lengths and times are in any consistent unit. \
 Evaders are numbered from 0.
@@ -43,6 +45,7 @@ app.command(simulate, sort_key=2)
 app.command(draw, sort_key=3)
 app.command(study, sort_key=4)
 app.command(reproduce, sort_key=5)
+app.command(chase, sort_key=6)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -53,7 +53,7 @@ class Canvas:
         places = {i: state.resting[i, :2] for i in self._trails if i != PURSUER}
         for i, row in zip(episode.living.tolist(), state.evaders, strict=False):
             places[i] = row[[X, Y]]
-        places[PURSUER] = state.disk[:2]
+        places[PURSUER] = state.pursuer[:2]
         for i, place in places.items():
             self._trails.setdefault(i, []).append(place.copy())
             self._extent = max(self._extent, float(np.abs(place).max()))

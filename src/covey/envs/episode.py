@@ -6,13 +6,18 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.envs.setup import STARTS, Setup, Start
-from covey.kernels.arena import DISK, ROW, advance, observe
-from covey.kernels.rules import NOBODY, announce, remove
-from covey.model import InputError, PursuerDisk
+from covey.kernels.rules import NOBODY, announce, fly, remove
+from covey.kernels.sight import DISK, ROW, observe
+from covey.model import InputError
 from covey.model.checks import Floats, Ints
 from covey.planning import guaranteed_survival, plan
 from covey.simulation import PursuerStrategy, TeamStrategy
-from covey.simulation.loop import checked_decision, checked_turns, situation_of
+from covey.simulation.decisions import (
+    checked_decision,
+    checked_turns,
+    told_to_pursuer,
+    told_to_team,
+)
 from covey.simulation.strategy import PursuerPolicy, TeamPolicy, policy_of
 
 Velocity = tuple[float, float]
@@ -36,8 +41,8 @@ class Episode:
     guarantee : float
         Survival time that the team's first plan guarantees or, where the team is given its
         decisions, that of `covey.plan`.
-    state, known
-        Of the kernels; see `covey.kernels.arena`.
+    state
+        Of the kernels; see `covey.kernels.rules`.
     """
 
     def __init__(
@@ -51,7 +56,7 @@ class Episode:
         team, known = setup.team(start), setup.known_at_start(start)
         self.setup, self.rules = setup, setup.rules
         self.state = setup.first_state(start)
-        self.known = np.array([*known.center, known.radius])
+        self._disk = known
         self._plan = None if evaders is None else policy_of("evaders", evaders, seed)
         self._decide = None if pursuer is None else policy_of("pursuer", pursuer, seed)
         if self._plan is None:
@@ -100,7 +105,7 @@ class Episode:
         target, flown = NOBODY, velocity or (0.0, 0.0)
         if self._decide is not None:
             target, flown = self._decided(self._decide)
-        taken = advance(state, self.known, self.rules, self.setup.hidden, target, *flown)
+        taken = fly(state, self.rules, target, *flown)
         if taken != NOBODY:
             remove(state, taken)
         if self._plan is None:
@@ -111,11 +116,11 @@ class Episode:
 
     def seen_by_pursuer(self) -> Seen:
         """Return the pursuer's observation."""
-        return self._seen_from(self.state.disk, NOBODY)
+        return self._seen_from(self.state.pursuer, NOBODY)
 
     def seen_by_team(self) -> Seen:
         """Return what the team sees together, from the centre of the disk that it knows of."""
-        return self._seen_from(self.known, NOBODY)
+        return self._seen_from(self.state.disk, NOBODY)
 
     def seen_by(self, evader: int) -> Seen:
         """Return an evader's observation; where it was captured, if it was."""
@@ -125,21 +130,16 @@ class Episode:
 
     def _decided(self, decide: PursuerPolicy) -> tuple[int, Velocity]:
         """Return the row that the pursuer makes for, or NOBODY, and its velocity."""
-        disk = self._disk(self.state.disk)
-        decision = decide(situation_of(self.state, disk))
-        target, velocity, _ = checked_decision(decision, self.state, disk, hidden=False)
+        known = told_to_team(self.state, self._disk)
+        decision = decide(told_to_pursuer(known, self.state, flies=True))
+        _, target, velocity = checked_decision(decision, known.evaders, self._disk, flies=True)
         return target, velocity
 
     def _seen_from(self, place: Floats, first: int) -> Seen:
         seen = np.empty(ROW * self.setup.team_size + DISK, np.float32)
-        observe(self.state, self.known, place[0], place[1], first, seen)
+        observe(self.state, place[0], place[1], first, seen)
         return seen
 
     def _announce_plan(self, plan_of: TeamPolicy) -> None:
-        alive = len(self.living)
-        disk = self._disk(self.known)
-        situation = situation_of(self.state._replace(disk=self.known), disk)
-        self.state.turns[:alive] = checked_turns(plan_of(situation), alive)
-
-    def _disk(self, disk: Floats) -> PursuerDisk:
-        return self.setup.disk_around(disk[:2], float(disk[2]))
+        turns = plan_of(told_to_team(self.state, self._disk))
+        self.state.turns[: len(self.living)] = checked_turns(turns, len(self.living))

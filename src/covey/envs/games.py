@@ -12,11 +12,11 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
 from covey.envs.episode import Seen
-from covey.envs.setup import Setup
+from covey.envs.setup import Setup, Start
 from covey.envs.spaces import direction_space, observation_space, steering_space
-from covey.kernels.batches import Batch, observe_games
+from covey.kernels.batches import observe_games
 from covey.kernels.rules import State, initial_state
-from covey.model import InputError, PursuerDisk, Team
+from covey.model import InputError
 from covey.model.checks import Floats, whole_number
 
 Flags = npt.NDArray[np.bool_]
@@ -37,7 +37,6 @@ class Games(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
         self.single_observation_space = observation_space(self.setup)
         self.observation_space = batch_space(self.single_observation_space, count)
         self.states = State(*stacked(initial_state(np.zeros((n, 5)), 0.0, 0.0, 0.0), count))
-        self.batch = Batch(self.states, np.zeros((count, 3)))
         self._guarantees = np.zeros(count)
         self._generators = [seeding.np_random()[0] for _ in range(count)]
         self._begun = False
@@ -90,15 +89,13 @@ class Games(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
     def _begin(self, b: int, options: dict[str, Any] | None) -> None:
         generator = self._generators[b]
         start = self.setup.draw(generator, options)
-        team, known = self.setup.team(start), self.setup.known_at_start(start)
         for ours, new in zip(self.states, self.setup.first_state(start), strict=True):
             ours[b] = new
-        self.batch.known[b] = *known.center, known.radius
-        self._guarantees[b] = self.begin_opponent(b, team, known, int(generator.integers(2**31)))
+        self._guarantees[b] = self.begin_opponent(b, start, int(generator.integers(2**31)))
 
     def _observe(self) -> Seen:
         seen = np.empty(self.observation_space.shape or (), np.float32)
-        observe_games(self.batch, self.of_team, seen)
+        observe_games(self.states, self.of_team, seen)
         return seen
 
     def _infos(self, which: Flags) -> dict[str, Any]:
@@ -109,7 +106,7 @@ class Games(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
             infos |= {name: np.where(which, value, 0.0), f"_{name}": which}
         return infos
 
-    def begin_opponent(self, b: int, team: Team, known: PursuerDisk, seed: int) -> float:
+    def begin_opponent(self, b: int, start: Start, seed: int) -> float:
         """Prepare the opponent of game b; return the guaranteed survival time."""
         raise NotImplementedError
 

@@ -50,8 +50,8 @@ def draw(episode: Episode, trails: Mapping[int, Sequence[Floats]], extent: float
     def pixels(places: npt.ArrayLike) -> Floats:
         return 0.5 * _FINER * SIZE + scale * np.asarray(places) * (1.0, -1.0)
 
-    known, state = episode.known, episode.state
-    pygame.draw.circle(sheet, _DISK, pixels(known[:2]), scale * known[2])
+    state = episode.state
+    pygame.draw.circle(sheet, _DISK, pixels(state.disk[:2]), scale * state.disk[2])
     for number, trail in trails.items():
         if len(trail) > 1:
             color = _PURSUER if number == PURSUER else _EVADER
@@ -65,7 +65,7 @@ def draw(episode: Episode, trails: Mapping[int, Sequence[Floats]], extent: float
         cosine, sine = math.cos(row[HEADING]), math.sin(row[HEADING])
         turned = _DART @ np.array([[cosine, -sine], [sine, cosine]])  # y points down on a screen
         pygame.draw.polygon(sheet, _EVADER, pixels(row[[X, Y]]) + turned)
-    place = pixels(state.disk[:2])
+    place = pixels(state.pursuer[:2])
     pygame.draw.circle(sheet, _PURSUER, place, 4.0 * _FINER)
     pygame.draw.circle(sheet, _PURSUER, place, scale * episode.rules.reach, _FINER)
     _caption(sheet, f"time {episode.time:.2f}     guaranteed {episode.guarantee:.2f}")

@@ -11,12 +11,13 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels.rules import Rules, State, initial_state
+from covey.kernels.rules import Rules, State
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.checks import Floats, choice, frozen_array, number, whole_number
 from covey.planning.guarantee import check_game
 from covey.players import IterativeOpenLoop
 from covey.simulation import Settings
+from covey.simulation.settings import first_state
 
 HEADINGS = ("away", "random")
 
@@ -90,21 +91,11 @@ class Setup:
         Settings(self.sensing, self.update_time, 0, self.time_limit)
         check_game(self._anywhere, self.disk_around(np.zeros(2), self.disk_radius))
 
-    @property
-    def hidden(self) -> bool:
-        """Whether the evaders see only a disk."""
-        return self.sensing == "hidden"
-
-    @property
+    @cached_property
     def rules(self) -> Rules:
-        """The rules as the kernels see them: the pursuer flies as one that has a place."""
-        return Rules(
-            float(self.pursuer_speed),
-            float(self.capture_radius),
-            False,
-            float(self.update_time),
-            float(self.time_limit),
-        )
+        """The rules as the kernels see them: the pursuer has a place, also where it is hidden."""
+        settings = Settings(self.sensing, self.update_time, 0, self.time_limit)
+        return settings.rules(self.disk_around(np.zeros(2), 0.0), placed=True)
 
     @cached_property
     def largest_turns(self) -> Floats:
@@ -122,8 +113,7 @@ class Setup:
 
     def first_state(self, start: Start) -> State:
         """Return the state at the start of a game, nothing announced."""
-        x, y = start.pursuer.tolist()
-        return initial_state(self.team(start).as_rows(), x, y, 0.0)
+        return first_state(self.team(start), self.known_at_start(start), start.pursuer)
 
     def disk_around(self, center: Floats, radius: float) -> PursuerDisk:
         """Return a disk that the pursuer is in."""
@@ -131,7 +121,7 @@ class Setup:
 
     def known_at_start(self, start: Start) -> PursuerDisk:
         """Return what the team knows of the pursuer at the start."""
-        if self.hidden:
+        if self.rules.hidden:
             return self.disk_around(np.zeros(2), self.disk_radius)
         return self.disk_around(start.pursuer, 0.0)
 

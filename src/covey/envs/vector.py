@@ -9,16 +9,21 @@ import numpy.typing as npt
 
 from covey.envs.actions import shares_of, velocities_of
 from covey.envs.games import Games, stacked
-from covey.envs.setup import STARTS, TEAM
+from covey.envs.setup import STARTS, TEAM, Start
 from covey.kernels.ascent import ascent_scratch
 from covey.kernels.batches import fly_pursuers, fly_teams
 from covey.kernels.columns import Columns, make_columns
 from covey.kernels.search import search_scratch
-from covey.model import InputError, PursuerDisk, Team
+from covey.model import InputError
 from covey.planning import plan
 from covey.planning.open_loop import columns_of, start_noise
-from covey.players import CommittedPursuer, FixedSequence, IterativeOpenLoop, OpenLoop
-from covey.players.compiled import pursuer_is_built_in, team_is_built_in
+from covey.players import CommittedPursuer
+from covey.players.compiled import (
+    BuiltInPursuer,
+    BuiltInTeam,
+    pursuer_is_built_in,
+    team_is_built_in,
+)
 
 
 class PursuerVectorEnv(Games):
@@ -46,7 +51,7 @@ class PursuerVectorEnv(Games):
         self,
         num_envs: int,
         *,
-        evaders: IterativeOpenLoop | OpenLoop = TEAM,
+        evaders: BuiltInTeam = TEAM,
         **setup: Any,
     ) -> None:
         if not team_is_built_in(evaders):
@@ -58,8 +63,9 @@ class PursuerVectorEnv(Games):
         self._columns = Columns(*stacked(make_columns(n), num_envs))
         self._scratch = search_scratch(n)
 
-    def begin_opponent(self, b: int, team: Team, known: PursuerDisk, seed: int) -> float:
+    def begin_opponent(self, b: int, start: Start, seed: int) -> float:
         """Plan, and remember what the plan will be improved with."""
+        team, known = self.setup.team(start), self.setup.known_at_start(start)
         first = plan(team, known, seed=seed, starts=self._evaders.starts)
         self.states.turns[b] = first.turns
         self._noise[b] = start_noise(seed, self._policy.restarts, len(team))
@@ -71,9 +77,8 @@ class PursuerVectorEnv(Games):
         """Fly the pursuers in directions (B, 2)."""
         velocities = velocities_of("actions", actions, (self.num_envs, 2), self.setup.pursuer_speed)
         fly_pursuers(
-            self.batch,
+            self.states,
             self.setup.rules,
-            self.setup.hidden,
             velocities,
             self._policy,
             self._noise,
@@ -90,7 +95,8 @@ class TeamVectorEnv(Games):
     num_envs
         B games.
     pursuer
-        `CommittedPursuer` or `FixedSequence`.
+        One that follows sequences: `CommittedPursuer`, `PatientPursuer`, `FixedSequence`,
+        `BestSequence`, `RandomSequence`.
     **setup
         Fields of `Setup`: the game.
 
@@ -106,31 +112,33 @@ class TeamVectorEnv(Games):
         self,
         num_envs: int,
         *,
-        pursuer: CommittedPursuer | FixedSequence = CommittedPursuer(),  # noqa: B008 frozen
+        pursuer: BuiltInPursuer = CommittedPursuer(),  # noqa: B008 frozen
         **setup: Any,
     ) -> None:
         if not pursuer_is_built_in(pursuer):
             raise InputError(_not_compiled("pursuer", pursuer, "TeamEnv"))
         super().__init__(num_envs, setup)
         n = self.setup.team_size
-        self._margin, self._first_sequence, self._begins_with_it = pursuer.commitment(n)
+        self._pursuer = pursuer
         self._sequences = np.zeros((num_envs, n), np.int64)
         self._followed = np.zeros(num_envs, np.int64)
         self._scratch, self._times = ascent_scratch(n), np.empty(n)
 
-    def begin_opponent(self, b: int, team: Team, known: PursuerDisk, seed: int) -> float:
+    def begin_opponent(self, b: int, start: Start, seed: int) -> float:
         """Let the pursuer of game b have its first sequence in mind, or none yet."""
-        self._sequences[b] = self._first_sequence
-        self._followed[b] = self._begins_with_it
+        team, known = self.setup.team(start), self.setup.known_at_start(start)
+        place = self.setup.disk_around(start.pursuer, 0.0)
+        self._margin, self._sequences[b], self._followed[b] = self._pursuer.commitment(
+            team, place, seed
+        )
         return plan(team, known, seed=seed, starts=STARTS).survival_time
 
     def fly(self, actions: npt.ArrayLike) -> None:
         """Turn the evaders at rates (B, N), shares of their largest."""
         shares = shares_of("actions", actions, (self.num_envs, self.setup.team_size))
         fly_teams(
-            self.batch,
+            self.states,
             self.setup.rules,
-            self.setup.hidden,
             shares * self.setup.largest_turns,
             self._margin,
             self._sequences,

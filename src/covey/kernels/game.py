@@ -18,6 +18,7 @@ from covey.kernels.rules import (
     Rules,
     State,
     announce,
+    chase_from,
     fly,
     pursuit_from,
     remove,
@@ -146,7 +147,7 @@ def play(
         updates += 1
         alive = state.alive[0]
         announce(state, rules)
-        pursuit = pursuit_from(state, rules)
+        pursuit = chase_from(state, rules)
         commit(state.paths, alive, pursuit, margin, known, sequence, sequence_times, scratch)
         known = True
         if recorded:

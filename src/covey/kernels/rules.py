@@ -88,6 +88,24 @@ def pursuit_from(state: State, rules: Rules) -> Pursuit:
 
 
 @compiled
+def chase_from(state: State, rules: Rules) -> Pursuit:
+    """What the pursuer plans with: as the team's, but from its place where it has one."""
+    return Pursuit(
+        state.pursuer[0],
+        state.pursuer[1],
+        state.pursuer[2] + rules.reach,
+        2.0 * rules.reach,
+        rules.pursuer_speed,
+    )
+
+
+@compiled
+def flies(rules: Rules) -> bool:
+    """Whether the pursuer flies from place to place; one that doesn't is a disk that grows."""
+    return rules.placed or not rules.hidden
+
+
+@compiled
 def announce(state: State, rules: Rules) -> None:
     """Turn the announced turns into paths."""
     n = state.alive[0]
@@ -103,8 +121,7 @@ def fly(state: State, rules: Rules, target: int, velocity_x: float, velocity_y: 
     disk reaches it, and nobody else. One that has a place takes whomever it comes within ρ of. The
     one captured stays in the state, for the record, until `remove` is called.
     """
-    pursuer, paths = state.pursuer, state.paths
-    flies = rules.placed or not rules.hidden
+    pursuer, paths, moves = state.pursuer, state.paths, flies(rules)
     elapsed, captured = min(rules.update_time, rules.time_limit - state.time[0]), NOBODY
     if target != NOBODY:
         meeting = earliest_capture(
@@ -116,14 +133,14 @@ def fly(state: State, rules: Rules, target: int, velocity_x: float, velocity_y: 
             0.0,
             rules.pursuer_speed,
         )
-        if flies:
+        if moves:
             meeting_x, meeting_y = position(paths, target, meeting)
             velocity_x, velocity_y = _place_and_aim(state, rules, meeting_x, meeting_y)
         if meeting <= elapsed:
             elapsed, captured = meeting, target
-    elif flies:
+    elif moves:
         pursuer[2] = 0.0
-    if flies and rules.reach > 0.0:
+    if moves and rules.reach > 0.0:
         for i in range(state.alive[0]):
             if i != target:
                 contact = first_contact(
@@ -131,7 +148,7 @@ def fly(state: State, rules: Rules, target: int, velocity_x: float, velocity_y: 
                 )
                 if contact < elapsed or (contact == elapsed and captured == NOBODY):
                     elapsed, captured = contact, i
-    if flies:
+    if moves:
         met = captured if rules.reach == 0.0 else NOBODY
         _move_pursuer(state, elapsed, met, velocity_x, velocity_y)
     _move_disk(state, rules, elapsed, captured)
