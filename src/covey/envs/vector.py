@@ -13,10 +13,11 @@ from covey.envs.setup import STARTS, TEAM, Start
 from covey.kernels.ascent import ascent_scratch
 from covey.kernels.batches import fly_pursuers, fly_teams
 from covey.kernels.columns import Columns, make_columns
+from covey.kernels.policy import TeamMemory
 from covey.kernels.search import search_scratch
 from covey.model import InputError
 from covey.planning import plan
-from covey.planning.open_loop import columns_of, start_noise
+from covey.planning.open_loop import start_noise
 from covey.players import CommittedPursuer
 from covey.players.compiled import (
     BuiltInPursuer,
@@ -24,6 +25,7 @@ from covey.players.compiled import (
     pursuer_is_built_in,
     team_is_built_in,
 )
+from covey.players.evaders import first_memory
 
 
 class PursuerVectorEnv(Games):
@@ -59,8 +61,11 @@ class PursuerVectorEnv(Games):
         super().__init__(num_envs, setup)
         n = self.setup.team_size
         self._evaders, self._policy = evaders, evaders.compiled()
-        self._noise = np.zeros((num_envs, *start_noise(0, self._policy.restarts, n).shape))
-        self._columns = Columns(*stacked(make_columns(n), num_envs))
+        noise = start_noise(0, self._policy.restarts, n)
+        self._memories = TeamMemory(
+            Columns(*stacked(make_columns(n), num_envs)),
+            *stacked([noise, np.zeros(2)], num_envs),
+        )
         self._scratch = search_scratch(n)
 
     def begin_opponent(self, b: int, start: Start, seed: int) -> float:
@@ -68,9 +73,10 @@ class PursuerVectorEnv(Games):
         team, known = self.setup.team(start), self.setup.known_at_start(start)
         first = plan(team, known, seed=seed, starts=self._evaders.starts)
         self.states.turns[b] = first.turns
-        self._noise[b] = start_noise(seed, self._policy.restarts, len(team))
-        for ours, new in zip(self._columns, columns_of(first), strict=True):
+        columns, noise, last = first_memory(first, seed, self._policy.restarts)
+        for ours, new in zip(self._memories.columns, columns, strict=True):
             ours[b] = new
+        self._memories.noise[b], self._memories.last[b] = noise, last
         return first.survival_time
 
     def fly(self, actions: npt.ArrayLike) -> None:
@@ -81,8 +87,7 @@ class PursuerVectorEnv(Games):
             self.setup.rules,
             velocities,
             self._policy,
-            self._noise,
-            self._columns,
+            self._memories,
             self._scratch,
         )
 

@@ -35,6 +35,7 @@ CONVERGED, STALLED, STEPS_USED_UP = range(3)
 _LEAST_BOX = 1e-9
 _STRIDE = 0.03  # radians, off a saddle
 _MOST_CORRECTIONS = 3
+_ROUNDING = 1e-12
 _DISAPPOINTING = 0.6  # share of the promise below which a step is corrected
 
 
@@ -86,20 +87,29 @@ def ascend(
     box: float,
     tolerance: float,
     most_steps: int,
+    known: float,
     scratch: AscentScratch,
 ) -> tuple[float, int, Tally]:
     """Improve `turns` in place to a local maximum; return its exact value, how it ended, the cost.
 
     The value never falls below that of the turns given. `box` is the largest first change of a
-    turn; the ascent has converged when the model promises less than `tolerance`, relative.
+    turn; the ascent has converged when the model promises less than `tolerance`, relative. The
+    turns are `known` to be worth so much at least (-inf: nothing is known); where a column says
+    that they aren't worth more, the dynamic programme needn't be asked.
     """
     n = len(turns)
     paths, trial_paths = scratch.paths, scratch.trial_paths
     times, trial_times = scratch.times, scratch.trial_times
     set_paths(evaders, turns, pursuit.speed, paths)
     value = column_times(paths, n, pursuit, columns, times)
-    value, _, interceptions = _exact_value(paths, n, pursuit, columns, value, times, scratch)
-    programmes, steps, ended = 1, 0, STEPS_USED_UP
+    programmes = interceptions = steps = 0
+    ended = STEPS_USED_UP
+    settled = value <= known * (1.0 + _ROUNDING)
+    if settled:
+        value = known
+    else:
+        value, _, interceptions = _exact_value(paths, n, pursuit, columns, value, times, scratch)
+        programmes = 1
     straightened, unit = False, 1.0
     moved = True  # gradients and curvature belong to other turns
     while steps < most_steps:
@@ -112,6 +122,9 @@ def ascend(
             straightened = shape(n, columns, times, False, unit, scratch.model)
             promise = best_step(turns, n, columns, times, box, unit, scratch.model)
         if promise - value <= tolerance * value:
+            if settled and steps == 0:  # it was no saddle when it was found
+                ended = CONVERGED
+                break
             promise = _way_off_a_saddle(
                 evaders, n, pursuit, turns, columns, times, unit, trial_paths, trial_times, scratch
             )

@@ -1,6 +1,6 @@
 """Many games side by side, each a step further at a call, one side of them played compiled.
 
-A batch is a state whose arrays have one more axis, in front, for each of B games.
+A batch is a state, and what belongs to it, with one more axis in front for each of B games.
 """
 
 from __future__ import annotations
@@ -10,9 +10,10 @@ import numpy.typing as npt
 
 from covey.kernels._jit import compiled
 from covey.kernels.ascent import AscentScratch
-from covey.kernels.columns import Columns, forget_captured
-from covey.kernels.game import TeamPolicy, drop_from_sequence
-from covey.kernels.replanning import commit, replan
+from covey.kernels.columns import Columns
+from covey.kernels.game import drop_from_sequence
+from covey.kernels.policy import TeamMemory, TeamPolicy, plan_again
+from covey.kernels.replanning import commit
 from covey.kernels.rules import (
     NOBODY,
     Rules,
@@ -20,7 +21,6 @@ from covey.kernels.rules import (
     announce,
     chase_from,
     fly,
-    pursuit_from,
     remove,
 )
 from covey.kernels.search import SearchScratch
@@ -45,40 +45,36 @@ def game_of(states: State, b: int) -> State:
 
 
 @compiled
+def memory_of(memories: TeamMemory, b: int) -> TeamMemory:
+    """What the team of game b remembers, not a copy."""
+    columns = memories.columns
+    return TeamMemory(
+        Columns(columns.used[b], columns.sequences[b], columns.weights[b]),
+        memories.noise[b],
+        memories.last[b],
+    )
+
+
+@compiled
 def fly_pursuers(
     states: State,
     rules: Rules,
     velocities: Table,
     team: TeamPolicy,
-    noise: npt.NDArray[np.float64],
-    columns: Columns,
+    memories: TeamMemory,
     search: SearchScratch,
 ) -> None:
     """Fly each pursuer at its velocity (B, 2); each team flies what it announced, and plans again.
 
-    `noise` (B, ., N) and the `columns` are the teams' own.
+    Each team has `memories` of its own.
     """
     for b in range(len(velocities)):
         state = game_of(states, b)
-        own = Columns(columns.used[b], columns.sequences[b], columns.weights[b])
         announce(state, rules)
         taken = fly(state, rules, NOBODY, velocities[b, 0], velocities[b, 1])
         if taken != NOBODY:
-            forget_captured(own, state.alive[0], taken)
             remove(state, taken)
-        if team.replans and state.alive[0] > 0:
-            replan(
-                state.evaders,
-                state.alive[0],
-                pursuit_from(state, rules),
-                noise[b],
-                team.restarts if taken != NOBODY else 0,
-                team.tolerance,
-                team.most_steps,
-                state.turns,
-                own,
-                search,
-            )
+        plan_again(state, rules, team, memory_of(memories, b), taken, search)
 
 
 @compiled

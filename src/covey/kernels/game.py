@@ -9,9 +9,9 @@ import numpy as np
 
 from covey.kernels._jit import allocating, compiled
 from covey.kernels.ascent import AscentScratch
-from covey.kernels.columns import Columns, forget_captured
 from covey.kernels.path import HEADING, X, Y
-from covey.kernels.replanning import commit, replan
+from covey.kernels.policy import TeamMemory, TeamPolicy, plan_again
+from covey.kernels.replanning import commit
 from covey.kernels.rules import (
     MOST_UPDATES,
     NOBODY,
@@ -25,7 +25,7 @@ from covey.kernels.rules import (
 )
 from covey.kernels.search import SearchScratch
 from covey.kernels.subsets import least_time
-from covey.kernels.types import Floats, Ints, Table
+from covey.kernels.types import Floats, Ints
 
 
 class Pages(NamedTuple):
@@ -37,16 +37,6 @@ class Pages(NamedTuple):
     pursuers: Floats  # (T, 5) place, then the disk's centre and radius
     critical: Ints  # (T, N)
     intended: Ints  # (T, N)
-
-
-class TeamPolicy(NamedTuple):
-    """How a built-in team plans."""
-
-    replans: bool  # iterative open loop, or open loop
-    replan_time: float  # between two plans, unless there is a capture
-    restarts: int  # other starts that are followed after a capture
-    tolerance: float
-    most_steps: int
 
 
 @allocating
@@ -125,22 +115,21 @@ def play(
     state: State,
     rules: Rules,
     team: TeamPolicy,
-    noise: Table,
-    columns: Columns,
+    memory: TeamMemory,
     margin: float,
     sequence: Ints,
     known: bool,
     recorded: bool,
     search: SearchScratch,
 ) -> tuple[int, Ints, Floats, int, Pages]:
-    """Play a game from `state`, where `state.turns` holds the first plan and `columns` its columns.
+    """Play a game from `state`, where `state.turns` and `memory` hold the first plan.
 
     The pursuer keeps to `sequence`, if one is `known`, or to the best, unless another is better by
     `margin`. Returns the number of captures, their order and times, the number of pages, the pages.
     """
     n = state.alive[0]
     order, times = np.full(n, NOBODY), np.full(n, math.inf)
-    captured, page, updates, planned = 0, 0, 0, 0.0
+    captured, page, updates = 0, 0, 0
     pages = blank_pages(256 if recorded else 1, n)
     scratch, sequence_times = search.ascent, np.empty(n)
     while state.alive[0] > 0 and state.time[0] < rules.time_limit and updates < MOST_UPDATES:
@@ -160,24 +149,9 @@ def play(
             order[captured], times[captured] = state.ids[taken], state.time[0]
             captured += 1
             drop_from_sequence(sequence, alive, taken)
-            forget_captured(columns, alive, taken)
             remove(state, taken)
-        played_on = state.time[0] < rules.time_limit and updates < MOST_UPDATES
-        due = taken != NOBODY or state.time[0] - planned >= team.replan_time
-        if team.replans and due and state.alive[0] > 0 and played_on:
-            planned = state.time[0]
-            replan(
-                state.evaders,
-                state.alive[0],
-                pursuit_from(state, rules),
-                noise,
-                team.restarts if taken != NOBODY else 0,
-                team.tolerance,
-                team.most_steps,
-                state.turns,
-                columns,
-                search,
-            )
+        if state.time[0] < rules.time_limit and updates < MOST_UPDATES:
+            plan_again(state, rules, team, memory, taken, search)
     if recorded:
         announce(state, rules)
         write_page(pages, page, state, rules, sequence, 0, scratch)

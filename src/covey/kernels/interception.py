@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from covey.kernels._jit import compiled, inlined
+from covey.kernels.lines import capture_on_line
 from covey.kernels.path import (
     CHORD,
     CLOSING,
@@ -36,25 +37,25 @@ def earliest_capture(
     most one; `start` itself where the evader is in the disk already. Closed form when the evader
     is caught on its straight part.
     """
-    velocity_x, velocity_y = paths[i, VELOCITY_X], paths[i, VELOCITY_Y]
-    gap_x = paths[i, LINE_X] + velocity_x * start - x
-    gap_y = paths[i, LINE_Y] + velocity_y * start - y
-    outside = gap_x * gap_x + gap_y * gap_y - radius * radius
-    if outside > 0.0:
-        # (v_p^2 - v^2) s^2 - 2 b s - outside = 0, its positive root without cancellation.
-        b = gap_x * velocity_x + gap_y * velocity_y - pursuer_speed * radius
-        closing = paths[i, CLOSING]
-        root = math.sqrt(b * b + outside * closing)
-        time = start + (b + root if b > 0.0 else outside) / (closing if b > 0.0 else root - b)
-        if time >= paths[i, TURN_END]:
-            return time
-    if start >= paths[i, TURN_END]:
-        return start
-    return _capture_in_turn(paths, i, x, y, radius, start, pursuer_speed)
+    time = capture_on_line(
+        paths[i, LINE_X],
+        paths[i, LINE_Y],
+        paths[i, VELOCITY_X],
+        paths[i, VELOCITY_Y],
+        paths[i, CLOSING],
+        x,
+        y,
+        radius,
+        start,
+        pursuer_speed,
+    )
+    if time >= paths[i, TURN_END]:
+        return time
+    return capture_in_turn(paths, i, x, y, radius, start, pursuer_speed)
 
 
 @compiled
-def _capture_in_turn(
+def capture_in_turn(
     paths: Table, i: int, x: float, y: float, radius: float, start: float, pursuer_speed: float
 ) -> float:
     """The root of eq. (7) while the evader turns: Halley's method, kept in a shrinking bracket.

@@ -16,6 +16,9 @@ from covey.kernels.sequence import capture_times
 from covey.kernels.subsets import least_time
 from covey.kernels.types import Floats, Ints, Pursuit, Table
 
+MOST_STEPS = 8
+"""Steps of an update that goes on from the last plan."""
+
 
 @compiled
 def replan(
@@ -26,16 +29,27 @@ def replan(
     followed: int,
     tolerance: float,
     most_steps: int,
+    known: float,
     turns: Floats,
     columns: Columns,
     scratch: SearchScratch,
 ) -> float:
     """Improve the `turns` that are flown, from them and `followed` other starts; return the value.
 
-    Never worse than the turns given.
+    Never worse than the turns given, which are `known` to be worth so much at least: what the last
+    plan was worth, less the time since, whatever a pursuer did that keeps to the rules. An update
+    without other starts is short: what it leaves undone the next one does.
     """
     value, _, _ = ascend(
-        evaders, pursuit, turns[:n], columns, WARM_BOX, tolerance, most_steps, scratch.ascent
+        evaders,
+        pursuit,
+        turns[:n],
+        columns,
+        WARM_BOX,
+        tolerance,
+        min(most_steps, MOST_STEPS) if followed == 0 else most_steps,
+        known,
+        scratch.ascent,
     )
     value, _, _ = search(
         evaders,

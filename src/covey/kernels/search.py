@@ -15,7 +15,7 @@ from covey.kernels.ascent import AscentScratch, Tally, ascend, ascent_scratch
 from covey.kernels.columns import Columns, copy_columns, make_columns
 from covey.kernels.path import HEADING, TURN_RATE, X, Y, set_paths, wrapped
 from covey.kernels.sequence import capture_times
-from covey.kernels.subsets import least_time
+from covey.kernels.subsets import least_time, nearest_first
 from covey.kernels.types import Floats, Pursuit, Table
 
 FIRST_BOX = 1.0
@@ -79,6 +79,7 @@ def search(
             FIRST_BOX,
             tolerance,
             most_steps,
+            -math.inf,
             scratch.ascent,
         )
         steps += cost.steps
@@ -114,7 +115,15 @@ def search_once(
     ended, tally = 0, Tally(0, 0, 0)
     if warm:
         best, ended, tally = ascend(
-            evaders, pursuit, turns, columns, WARM_BOX, tolerance, most_steps, scratch.ascent
+            evaders,
+            pursuit,
+            turns,
+            columns,
+            WARM_BOX,
+            tolerance,
+            most_steps,
+            -math.inf,
+            scratch.ascent,
         )
     found, how, cost = search(
         evaders,
@@ -158,7 +167,7 @@ def _lay_out(
         for i in range(n):
             if evaders[i, TURN_RATE] > 0.0:
                 scratch.candidate[i] = wrapped(scratch.candidate[i] + math.pi * noise[row, i])
-        worth = _worth(evaders, n, pursuit, scratch.candidate, scratch.ascent)
+        worth = _worth(evaders, n, pursuit, scratch.candidate, best, scratch.ascent)
         if worth > best:
             best = worth
             for i in range(n):
@@ -180,16 +189,12 @@ def _away(evaders: Table, n: int, pursuit: Pursuit, turns: Floats) -> None:
 
 @compiled
 def _worth(
-    evaders: Table, n: int, pursuit: Pursuit, turns: Floats, scratch: AscentScratch
+    evaders: Table, n: int, pursuit: Pursuit, turns: Floats, enough: float, scratch: AscentScratch
 ) -> float:
-    """The exact value of a candidate."""
+    """The exact value of a candidate, or -inf where one sequence shows that it isn't `enough`."""
     set_paths(evaders, turns[:n], pursuit.speed, scratch.paths)
-    value, _ = least_time(
-        scratch.paths,
-        n,
-        pursuit,
-        math.inf,
-        scratch.found,
-        scratch.subsets,
-    )
+    bound = nearest_first(scratch.paths, n, pursuit)
+    if bound <= enough:
+        return -math.inf
+    value, _ = least_time(scratch.paths, n, pursuit, bound, scratch.found, scratch.subsets)
     return value

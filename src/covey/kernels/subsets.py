@@ -14,13 +14,18 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.kernels._jit import allocating, compiled
-from covey.kernels.deadlines import Deadlines, make_deadlines, set_deadlines, too_late
-from covey.kernels.interception import earliest_capture
-from covey.kernels.path import position
+from covey.kernels.deadlines import set_deadlines
+from covey.kernels.interception import capture_in_turn, earliest_capture
+from covey.kernels.lines import captures_on_lines, make_lines, padded, set_lines
+from covey.kernels.path import TURN_END, position
 from covey.kernels.types import Floats, Ints, Pursuit, Table
 
 MOST_EVADERS = 18
 """Largest team the exact minimum serves: its labels fill 8 N 2^N bytes, 38 MB for N = 18."""
+
+
+# Added to the time of a sequence, they make a bound that this sequence beats.
+_SLACK, _LEAST = 1e-12, 1e-300
 
 
 class SubsetScratch(NamedTuple):
@@ -30,7 +35,9 @@ class SubsetScratch(NamedTuple):
     reached: npt.NDArray[np.bool_]  # (2**n,) whether a set has a label; False between calls
     queue: Ints  # (2**n,) sets that have one, the smaller ones first
     ahead: Ints  # (n,) who is not yet captured
-    deadlines: Deadlines
+    lines: Table
+    arrivals: Floats  # (n,) when the pursuer reaches each evader from one label
+    deadlines: Table  # (2**n, n) by the set that is still ahead, and last captured
 
 
 @allocating
@@ -39,9 +46,11 @@ def subset_scratch(n: int) -> SubsetScratch:
     return SubsetScratch(
         np.full(n << n, math.inf),
         np.zeros(1 << n, np.bool_),
-        np.empty(1 << n, np.int64),
-        np.empty(n, np.int64),
-        make_deadlines(n),
+        np.empty((1 << n) + 1, np.int64),
+        np.empty(n + 1, np.int64),
+        make_lines(n),
+        np.empty(padded(n)),
+        np.empty((1 << n, padded(n))),
     )
 
 
@@ -55,46 +64,51 @@ def least_time(
     `bound` and leaves `sequence` alone where no sequence beats it. A finite bound, such as the time
     of a sequence that was the worst a moment ago, makes it many times faster.
     """
-    labels, queue, ahead = scratch.labels, scratch.queue, scratch.ahead
-    bounded = bound < math.inf
-    interceptions = n
-    if bounded:
-        set_deadlines(paths, n, pursuit, bound, scratch.deadlines)
-        interceptions += n * (n - 1) * (n - 1)
+    labels, queue, arrivals = scratch.labels, scratch.queue, scratch.arrivals
+    ahead, deadlines = scratch.ahead, scratch.deadlines
     full = (1 << n) - 1
+    if bound == math.inf:
+        bound = nearest_first(paths, n, pursuit) * (1.0 + _SLACK) + _LEAST
+    set_lines(paths, n, scratch.lines)
+    set_deadlines(paths, scratch.lines, n, pursuit, bound, deadlines)
+    interceptions, waiting = n, 0
     for i in range(n):
-        queue[i] = 1 << i
-        scratch.reached[1 << i] = True
-        labels[(1 << i) * n + i] = earliest_capture(
+        arrival = earliest_capture(
             paths, i, pursuit.center_x, pursuit.center_y, pursuit.first_radius, 0.0, pursuit.speed
         )
-    done, waiting = 0, n
+        if arrival < bound and arrival <= deadlines[full ^ 1 << i, i]:
+            queue[waiting] = 1 << i
+            waiting += 1
+            scratch.reached[1 << i] = True
+            labels[(1 << i) * n + i] = arrival
+    done = 0
     while done < waiting and queue[done] != full:
         caught = queue[done]
         done += 1
         count = 0
         for i in range(n):
-            if not caught >> i & 1:
-                ahead[count] = i
-                count += 1
+            ahead[count] = i
+            count += 1 - (caught >> i & 1)
         for last in range(n):
             time = labels[caught * n + last]
             if time == math.inf:
                 continue
-            if bounded and too_late(scratch.deadlines, n, last, time, caught):
-                continue
             x, y = position(paths, last, time)
+            captures_on_lines(
+                scratch.lines, n, x, y, pursuit.later_radius, time, pursuit.speed, arrivals
+            )
             interceptions += count
             for k in range(count):
                 i = ahead[k]
-                arrival = earliest_capture(
-                    paths, i, x, y, pursuit.later_radius, time, pursuit.speed
-                )
-                if arrival >= bound:
-                    continue
+                arrival = arrivals[i]
+                if arrival < paths[i, TURN_END]:
+                    arrival = capture_in_turn(
+                        paths, i, x, y, pursuit.later_radius, time, pursuit.speed
+                    )
                 larger = caught | 1 << i
-                if arrival < labels[larger * n + i]:
-                    labels[larger * n + i] = arrival
+                if arrival >= bound or arrival > deadlines[full ^ larger, i]:
+                    continue
+                labels[larger * n + i] = min(labels[larger * n + i], arrival)
                 if not scratch.reached[larger]:
                     scratch.reached[larger] = True
                     queue[waiting] = larger
@@ -111,6 +125,22 @@ def least_time(
         for i in range(n):
             labels[queue[k] * n + i] = math.inf
     return best, interceptions
+
+
+@compiled
+def nearest_first(paths: Table, n: int, pursuit: Pursuit) -> float:
+    """Time of the sequence in which whoever can be captured soonest is the next."""
+    x, y, radius, time, caught = pursuit.center_x, pursuit.center_y, pursuit.first_radius, 0.0, 0
+    for _ in range(n):
+        nearest, soonest = 0, math.inf
+        for i in range(n):
+            if not caught >> i & 1:
+                arrival = earliest_capture(paths, i, x, y, radius, time, pursuit.speed)
+                if arrival < soonest:
+                    nearest, soonest = i, arrival
+        time, caught, radius = soonest, caught | 1 << nearest, pursuit.later_radius
+        x, y = position(paths, nearest, time)
+    return time
 
 
 @compiled

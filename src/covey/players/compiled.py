@@ -13,8 +13,7 @@ from covey.model import PursuerDisk, Team
 from covey.model.checks import Floats, Ints
 from covey.planning import plan
 from covey.planning.guarantee import check_game
-from covey.planning.open_loop import columns_of, start_noise
-from covey.players.evaders import IterativeOpenLoop, OpenLoop
+from covey.players.evaders import IterativeOpenLoop, OpenLoop, first_memory
 from covey.players.pursuers import CommittedPursuer, PatientPursuer
 from covey.players.sequences import BestSequence, FixedSequence, RandomSequence
 from covey.simulation import Settings
@@ -77,8 +76,7 @@ def play_compiled(
         state,
         settings.rules(disk),
         policy,
-        start_noise(settings.seed, policy.restarts, n),
-        columns_of(first),
+        first_memory(first, settings.seed, policy.restarts),
         margin,
         sequence,
         known,

@@ -7,12 +7,10 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
-import numpy.typing as npt
-
 from covey.model import PursuerDisk, Team
-from covey.model.checks import whole_number
+from covey.model.checks import Floats, whole_number
 from covey.planning.open_loop import DEFAULT_STARTS
-from covey.players.evaders import IterativeOpenLoop
+from covey.players.evaders import IterativeOpenLoop, Replanning
 from covey.players.pace import checked_replan_time, paced
 from covey.simulation import Situation, TeamPolicy
 
@@ -56,9 +54,10 @@ class ConstantHeading:
 
     def start(self, seed: int) -> TeamPolicy:
         """Return the policy of one game."""
-        plan = IterativeOpenLoop(self.starts, self.restarts).start(seed)
+        strategy = IterativeOpenLoop(self.starts, self.restarts)
+        plan = Replanning(strategy, seed, same_game=False)  # the simplified one is ever new
 
-        def turns(situation: Situation) -> npt.ArrayLike:
+        def turns(situation: Situation) -> Floats:
             return plan(_simplified(situation))
 
         return paced(turns, self.replan_time)
