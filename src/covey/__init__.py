@@ -20,9 +20,11 @@ if TYPE_CHECKING:
     from covey.planning import Guarantee as Guarantee
     from covey.planning import Plan as Plan
     from covey.planning import PlanStatus as PlanStatus
+    from covey.planning import SequencePlan as SequencePlan
     from covey.planning import capture_times as capture_times
     from covey.planning import guaranteed_survival as guaranteed_survival
     from covey.planning import plan as plan
+    from covey.planning import plan_for_sequence as plan_for_sequence
     from covey.players import CommittedPursuer as CommittedPursuer
     from covey.players import FixedSequence as FixedSequence
     from covey.players import IterativeOpenLoop as IterativeOpenLoop
@@ -47,9 +49,11 @@ _ROOMS = {
         "Guarantee",
         "Plan",
         "PlanStatus",
+        "SequencePlan",
         "capture_times",
         "guaranteed_survival",
         "plan",
+        "plan_for_sequence",
     ),
     "covey.players": (
         "CommittedPursuer",

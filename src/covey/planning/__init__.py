@@ -1,6 +1,17 @@
 """The open-loop plan: what it guarantees, and the best one."""
 
+from covey.planning.fixed_sequence import SequencePlan, SequenceStatus, plan_for_sequence
 from covey.planning.guarantee import Guarantee, capture_times, guaranteed_survival
 from covey.planning.open_loop import Plan, PlanStatus, plan
 
-__all__ = ["Guarantee", "Plan", "PlanStatus", "capture_times", "guaranteed_survival", "plan"]
+__all__ = [
+    "Guarantee",
+    "Plan",
+    "PlanStatus",
+    "SequencePlan",
+    "SequenceStatus",
+    "capture_times",
+    "guaranteed_survival",
+    "plan",
+    "plan_for_sequence",
+]
