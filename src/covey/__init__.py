@@ -17,10 +17,12 @@ if TYPE_CHECKING:
     from covey.model import PursuerDisk as PursuerDisk
     from covey.model import Team as Team
     from covey.model import turns_to as turns_to
+    from covey.planning import Bracket as Bracket
     from covey.planning import Guarantee as Guarantee
     from covey.planning import Plan as Plan
     from covey.planning import PlanStatus as PlanStatus
     from covey.planning import SequencePlan as SequencePlan
+    from covey.planning import bracket as bracket
     from covey.planning import capture_times as capture_times
     from covey.planning import guaranteed_survival as guaranteed_survival
     from covey.planning import plan as plan
@@ -46,10 +48,12 @@ if TYPE_CHECKING:
 _ROOMS = {
     "covey.model": ("InputError", "PursuerDisk", "Team", "turns_to"),
     "covey.planning": (
+        "Bracket",
         "Guarantee",
         "Plan",
         "PlanStatus",
         "SequencePlan",
+        "bracket",
         "capture_times",
         "guaranteed_survival",
         "plan",

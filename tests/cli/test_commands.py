@@ -48,6 +48,9 @@ def printed(capsys, *arguments):
 
 def test_plan_prints_guarantee_headings_sequences_and_how_the_search_ended(scenario, capsys):
     plan, text = scenario.plan(), printed(capsys, "plan", "three.toml")
+    upper = scenario.bracket().upper
+    assert f"survives at least {plan.survival_time:.6g}; " in text
+    assert f"no team could be sure of more than {upper:.6g}\n" in text
     assert f"guaranteed survival time  {plan.survival_time:.6g}" in text
     assert " ".join(map(str, plan.critical_sequences[0])) in text
     assert f"{plan.goal_headings[1]:+.4f}" in text
@@ -58,6 +61,8 @@ def test_plan_prints_guarantee_headings_sequences_and_how_the_search_ended(scena
 def test_plan_prints_json_to_the_last_digit(scenario, capsys):
     plan, told = scenario.plan(), json.loads(printed(capsys, "plan", "three.toml", "--json"))
     assert told["survival_time"] == plan.survival_time
+    assert told["upper_bound"] == scenario.bracket().upper
+    assert sorted(told["announced_sequence"]) == [0, 1, 2]
     assert told["goal_headings"] == plan.goal_headings.tolist()
     assert told["turns"] == plan.turns.tolist()
     assert told["critical_sequences"] == [list(each) for each in plan.critical_sequences]

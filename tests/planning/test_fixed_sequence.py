@@ -7,10 +7,10 @@ import math
 
 import numpy as np
 import pytest
-from games import fleeing, random_game
 from scipy.optimize import brentq, differential_evolution
 
 import covey
+from games import fleeing, random_game
 
 
 def at_once(team):

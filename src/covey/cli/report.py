@@ -6,7 +6,7 @@ import json
 import math
 from typing import Any, NamedTuple
 
-from covey.planning import Plan
+from covey.planning import Bracket
 from covey.scenarios import Scenario
 from covey.simulation import Game
 
@@ -19,10 +19,13 @@ class Capture(NamedTuple):
     place: list[float]
 
 
-def plan_as_json(scenario: Scenario, plan: Plan) -> dict[str, Any]:
-    """Return a plan, angles in radians."""
+def bracket_as_json(scenario: Scenario, bracket: Bracket) -> dict[str, Any]:
+    """Return a plan, angles in radians, and a bound on what any team can be sure of."""
+    plan = bracket.plan
     return {
         "survival_time": plan.survival_time,
+        "upper_bound": bracket.upper,
+        "announced_sequence": list(bracket.sequence),
         "turns": plan.turns.tolist(),
         "goal_headings": plan.goal_headings.tolist(),
         "critical_sequences": [list(sequence) for sequence in plan.critical_sequences],

@@ -10,16 +10,20 @@ from rich.console import Console
 from rich.table import Table
 
 from covey.cli.report import captures
-from covey.planning import Plan
+from covey.planning import Bracket
 from covey.scenarios import Scenario
 from covey.simulation import Game
 
 _MOST_SEQUENCES = 6
 
 
-def print_plan(scenario: Scenario, plan: Plan) -> None:
-    """Print the guaranteed survival time, where each evader heads, and how the search ended."""
-    console = _console()
+def print_bracket(scenario: Scenario, bracket: Bracket) -> None:
+    """Print the plan's guaranteed survival time, what bounds it, and where each evader heads."""
+    console, plan = _console(), bracket.plan
+    console.print(
+        f"survives at least {number(bracket.lower)}; "
+        f"no team could be sure of more than {number(bracket.upper)}"
+    )
     facts = [
         ("guaranteed survival time", number(plan.survival_time)),
         *_sequences(plan.critical_sequences),

@@ -73,12 +73,12 @@ def lay_grid(grid: Grid, centers: Floats, width: float, pursuer_speed: float) ->
 
 
 @compiled
-def first_captures(grid: Grid, pursuit: Pursuit, i: int) -> None:
+def first_captures(paths: Table, pursuit: Pursuit, i: int, latest: Floats) -> None:
     """Write when evader i, on each of its paths, is captured first of all."""
-    nodes = grid.latest.shape[1]
+    nodes = len(latest)
     for j in range(nodes):
-        grid.latest[0, j] = earliest_capture(
-            grid.paths,
+        latest[j] = earliest_capture(
+            paths,
             i * nodes + j,
             pursuit.center_x,
             pursuit.center_y,
@@ -89,43 +89,63 @@ def first_captures(grid: Grid, pursuit: Pursuit, i: int) -> None:
 
 
 @compiled
-def next_captures(grid: Grid, pursuit: Pursuit, k: int, previous: int, i: int) -> None:
-    """Write the latest k-th capture of evader i on each of its paths, after that of `previous`."""
-    nodes = grid.latest.shape[1]
+def next_captures(
+    paths: Table,
+    pursuit: Pursuit,
+    previous: int,
+    i: int,
+    earlier: Floats,
+    latest: Floats,
+    before: Ints,
+) -> None:
+    """Write when evader i, on each of its paths, is captured `latest`.
+
+    The pursuer comes from evader `previous`, captured at `earlier` on each of *its* paths; the one
+    that delays i most goes to `before`.
+    """
+    nodes = len(latest)
     for j in range(nodes):
-        grid.latest[k, j] = -math.inf
+        latest[j] = -math.inf
     for b in range(nodes):
-        time = grid.latest[k - 1, b]
-        x, y = position(grid.paths, previous * nodes + b, time)
+        time = earlier[b]
+        x, y = position(paths, previous * nodes + b, time)
         for j in range(nodes):
             capture = earliest_capture(
-                grid.paths, i * nodes + j, x, y, pursuit.later_radius, time, pursuit.speed
+                paths, i * nodes + j, x, y, pursuit.later_radius, time, pursuit.speed
             )
-            if capture > grid.latest[k, j]:
-                grid.latest[k, j], grid.before[k, j] = capture, b
+            if capture > latest[j]:
+                latest[j], before[j] = capture, b
 
 
 @compiled
-def best_on_grid(grid: Grid, pursuit: Pursuit, sequence: Ints, turns: Floats) -> tuple[float, bool]:
-    """Latest last capture on the grid; write the `turns`, by evader, that attain it.
+def best_on_grid(grid: Grid, pursuit: Pursuit, sequence: Ints, turns: Floats) -> bool:
+    """Write the `turns`, by evader, with the latest last capture.
 
-    Returns also whether one of them lies on the grid's border.
+    Returns whether one of them lies on the grid's border.
     """
     last, nodes = len(sequence) - 1, grid.latest.shape[1]
-    first_captures(grid, pursuit, sequence[0])
+    first_captures(grid.paths, pursuit, sequence[0], grid.latest[0])
     for k in range(1, last + 1):
-        next_captures(grid, pursuit, k, sequence[k - 1], sequence[k])
+        next_captures(
+            grid.paths,
+            pursuit,
+            sequence[k - 1],
+            sequence[k],
+            grid.latest[k - 1],
+            grid.latest[k],
+            grid.before[k],
+        )
     best = 0
     for j in range(nodes):
         if grid.latest[last, j] > grid.latest[last, best]:
             best = j
-    value, on_border = grid.latest[last, best], False
+    on_border = False
     for k in range(last, -1, -1):
         turns[sequence[k]] = grid.turns[sequence[k] * nodes + best]
         on_border = on_border or best >= nodes - 2
         if k > 0:
             best = grid.before[k, best]
-    return value, on_border
+    return on_border
 
 
 @allocating
@@ -134,7 +154,7 @@ def latest_in_sequence(
 ) -> tuple[Floats, bool]:
     """The turns with the latest last capture in `sequence`, and whether they are settled.
 
-    Settled: known to `tolerance`, radians. A border that attracts is moved before the grid narrows.
+    Settled: known to `tolerance`, radians. The grid narrows only where its border doesn't attract.
     """
     n = len(sequence)
     turns, grid = np.zeros(n), make_grid(evaders, COARSE)
@@ -143,8 +163,7 @@ def latest_in_sequence(
     grid, width = make_grid(evaders, FINE), 2.0 * math.pi / (COARSE // 2)
     for _ in range(_MOST_ROUNDS):
         lay_grid(grid, turns, width, pursuit.speed)
-        _, on_border = best_on_grid(grid, pursuit, sequence, turns)
-        if not on_border:
+        if not best_on_grid(grid, pursuit, sequence, turns):
             width *= 0.5
         if width < tolerance:
             return turns, True

@@ -1,15 +1,18 @@
 """The open-loop plan: what it guarantees, and the best one."""
 
+from covey.planning.bracket import Bracket, bracket
 from covey.planning.fixed_sequence import SequencePlan, SequenceStatus, plan_for_sequence
 from covey.planning.guarantee import Guarantee, capture_times, guaranteed_survival
 from covey.planning.open_loop import Plan, PlanStatus, plan
 
 __all__ = [
+    "Bracket",
     "Guarantee",
     "Plan",
     "PlanStatus",
     "SequencePlan",
     "SequenceStatus",
+    "bracket",
     "capture_times",
     "guaranteed_survival",
     "plan",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from covey.model import PursuerDisk, Team
-from covey.planning import Plan, plan
+from covey.planning import Bracket, Plan, bracket, plan
 from covey.players import (
     CommittedPursuer,
     FixedSequence,
@@ -48,6 +48,10 @@ class Scenario:
     def plan(self) -> Plan:
         """Return the plan with which the game begins."""
         return plan(self.team, self.disk, seed=self.seed, starts=self.evaders.starts)
+
+    def bracket(self) -> Bracket:
+        """Return that plan, and what no team could be sure to exceed."""
+        return bracket(self.team, self.disk, seed=self.seed, starts=self.evaders.starts)
 
     def simulate(self) -> Game:
         """Play the game and return its record."""
