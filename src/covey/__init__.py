@@ -31,7 +31,9 @@ if TYPE_CHECKING:
     from covey.players import FixedSequence as FixedSequence
     from covey.players import IterativeOpenLoop as IterativeOpenLoop
     from covey.players import OpenLoop as OpenLoop
+    from covey.players import WorstCase as WorstCase
     from covey.players import simulate as simulate
+    from covey.players import worst_case as worst_case
     from covey.scenarios import Scenario as Scenario
     from covey.scenarios import load_scenario as load_scenario
     from covey.simulation import Chase as Chase
@@ -64,7 +66,9 @@ _ROOMS = {
         "FixedSequence",
         "IterativeOpenLoop",
         "OpenLoop",
+        "WorstCase",
         "simulate",
+        "worst_case",
     ),
     "covey.scenarios": ("Scenario", "load_scenario"),
     "covey.simulation": (

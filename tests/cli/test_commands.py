@@ -69,6 +69,22 @@ def test_plan_prints_json_to_the_last_digit(scenario, capsys):
     assert told["status"] == plan.status
 
 
+def test_worst_case_prints_time_scope_and_captures(scenario, capsys):
+    worst, text = scenario.worst_case(), printed(capsys, "worst-case", "three.toml")
+    assert f"least survival time  {worst.survival_time:.6g}" in text
+    assert str(worst.scope) in " ".join(text.split())
+    rows = [line.split()[:2] for line in text.splitlines() if line.strip()[:1] in list("123")]
+    assert rows == [[str(k), str(i)] for k, i in enumerate(worst.sequence, start=1)]
+
+
+def test_worst_case_prints_json_and_takes_delays(scenario, capsys):
+    worst = scenario.worst_case([0.0, 0.5])
+    told = json.loads(printed(capsys, "worst-case", "three.toml", "--json", "--delays", "0", "0.5"))
+    assert told["survival_time"] == worst.survival_time
+    assert told["sequence"] == list(worst.sequence)
+    assert told["scope"] == str(worst.scope)
+
+
 def test_simulate_prints_guarantee_survival_time_and_captures(record, capsys):
     text = printed(capsys, "simulate", "three.toml")
     assert f"guaranteed survival time  {record.guarantee:.6g}" in text

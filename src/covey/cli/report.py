@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import asdict
 from typing import Any, NamedTuple
 
 from covey.planning import Bracket
+from covey.players import WorstCase
 from covey.scenarios import Scenario
 from covey.simulation import Game
 
@@ -49,6 +51,11 @@ def game_as_json(game: Game) -> dict[str, Any]:
         "seed": game.seed,
         "strategies": {side: dict(strategy) for side, strategy in game.strategies.items()},
     }
+
+
+def worst_case_as_json(worst: WorstCase) -> dict[str, Any]:
+    """Return the worst case, and over which pursuers it was taken."""
+    return {**asdict(worst), "scope": str(worst.scope)}
 
 
 def captures(game: Game) -> list[Capture]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from covey.model import PursuerDisk, Team
@@ -11,7 +12,9 @@ from covey.players import (
     FixedSequence,
     IterativeOpenLoop,
     OpenLoop,
+    WorstCase,
     simulate,
+    worst_case,
 )
 from covey.simulation import Game
 
@@ -52,6 +55,17 @@ class Scenario:
     def bracket(self) -> Bracket:
         """Return that plan, and what no team could be sure to exceed."""
         return bracket(self.team, self.disk, seed=self.seed, starts=self.evaders.starts)
+
+    def worst_case(self, delays: Sequence[float] = (0.0,)) -> WorstCase:
+        """Return the least survival time of the team's strategy against a hidden pursuer."""
+        return worst_case(
+            self.team,
+            self.disk,
+            evaders=self.evaders,
+            delays=delays,
+            update_time=self.update_time,
+            seed=self.seed,
+        )
 
     def simulate(self) -> Game:
         """Play the game and return its record."""
