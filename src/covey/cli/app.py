@@ -14,6 +14,7 @@ from covey.cli.reproduce import reproduce
 from covey.cli.simulate import simulate
 from covey.cli.study import study
 from covey.cli.worst_case import worst_case
+from covey.cli.yardstick import yardstick
 
 INPUT_ERROR = 2
 """Exit status after a mistake in a file or on the command line."""
@@ -45,6 +46,7 @@ app.command(worst_case, sort_key=3)
 app.command(draw, sort_key=4)
 app.command(study, sort_key=5)
 app.command(reproduce, sort_key=6)
+app.command(yardstick, sort_key=7)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -4,6 +4,7 @@ from covey.planning.bracket import Bracket, bracket
 from covey.planning.fixed_sequence import SequencePlan, SequenceStatus, plan_for_sequence
 from covey.planning.guarantee import Guarantee, capture_times, guaranteed_survival
 from covey.planning.open_loop import Plan, PlanStatus, plan
+from covey.planning.two_evaders import TwoEvaderValue, solve_two_evaders
 
 __all__ = [
     "Bracket",
@@ -12,9 +13,11 @@ __all__ = [
     "PlanStatus",
     "SequencePlan",
     "SequenceStatus",
+    "TwoEvaderValue",
     "bracket",
     "capture_times",
     "guaranteed_survival",
     "plan",
     "plan_for_sequence",
+    "solve_two_evaders",
 ]
