@@ -93,21 +93,22 @@ def test_grids_converge():
 def test_principle_of_optimality(value):
     """What a step leads to, by brute force over all headings, is the value less the step.
 
-    Apart from the grid's error, 36 headings lose 0.4 % of a speed.
+    Where the two are not close; 36 headings lose 0.4 % of a speed.
     """
     step, angles = 0.1, np.linspace(-math.pi, math.pi, 36, endpoint=False)
     units = np.column_stack([np.cos(angles), np.sin(angles)])
     v1, v2 = value.speeds
     places = pairs(40, close=False, seed=2)
-    distances = np.hypot(places[..., 0], places[..., 1])
-    for place in places[distances.min(axis=1) > 0.3][:4]:
+    apart = np.hypot(*(places[:, 1] - places[:, 0]).T) > 0.3
+    far = np.hypot(places[..., 0], places[..., 1]).min(axis=1) > 0.3
+    for place in places[apart & far][:4]:
         worst = []
         for towards in units:
             first = place[0] + step * (v1 * units - towards)
             second = place[1] + step * (v2 * units - towards)
             both = np.stack(np.broadcast_arrays(first[:, np.newaxis], second), axis=-2)
             worst.append(value.at(both).max())
-        assert min(worst) == pytest.approx(value.at(place) - step, rel=2e-3)
+        assert min(worst) == pytest.approx(value.at(place) - step, abs=0.03 * step)
 
 
 def test_downhill_pursuer_holds_any_team_to_the_value(value):

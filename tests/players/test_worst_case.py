@@ -112,6 +112,8 @@ def test_waiting_delays_a_single_capture_by_so_much():
     found = covey.worst_case(fleeing(1.0), covey.PursuerDisk(), delays=[0.75], update_time=0.5)
     assert found.survival_time == pytest.approx(2.5, rel=1e-15)
     assert (found.sequence, found.delays) == ((0,), (0.75,))
+    late = covey.worst_case(fleeing(1.0), covey.PursuerDisk(), delays=[10.0], update_time=0.5)
+    assert late.survival_time == pytest.approx(11.5, rel=1e-15)
 
 
 def test_shares_beginnings_and_prunes():

@@ -36,7 +36,7 @@ def print_yardstick(measured: list[Yardstick]) -> None:
     for yardstick in measured:
         changes = {change.pairs: change for change in yardstick.changes}
         for (speeds, pairs, evaders), shares in _shares(yardstick.scores).items():
-            known = f"{100 * changes[pairs].mean:.2f} %"
+            known = f"{100 * changes[pairs].mean:.1g} %"
             figures = (np.mean(shares), np.min(shares), np.max(shares))
             table.add_row(speeds, pairs, evaders, *(f"{each:.4f}" for each in figures), known)
     console = Console(highlight=False)

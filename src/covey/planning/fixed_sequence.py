@@ -99,11 +99,13 @@ def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) ->
     order = permutation("sequence", sequence, len(team))
     found, settled = latest_in_sequence(team.as_rows(), pursuit_of(disk), order, _TURN_TOLERANCE)
     turns = np.where(np.isinf(team.turn_rates), wrap_angle(found), found)
-    times = capture_times(team, disk, turns, order)
+    goals, times = wrap_angle(team.headings + turns), capture_times(team, disk, turns, order)
+    for array in (turns, goals, times):
+        array.flags.writeable = False
     return SequencePlan(
         sequence=tuple(order.tolist()),
         turns=turns,
-        goal_headings=wrap_angle(team.headings + turns),
+        goal_headings=goals,
         capture_times=times,
         survival_time=float(times[-1]),
         status=SequenceStatus.CONVERGED if settled else SequenceStatus.STEPS_USED_UP,

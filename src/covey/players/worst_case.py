@@ -6,7 +6,7 @@ import itertools
 import math
 from collections.abc import Iterator, Sequence
 from copy import deepcopy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import NamedTuple
 
@@ -117,7 +117,8 @@ def worst_case(
     every sequence from the start: N! games, times the delays. It must play the same game when it
     is started anew with the same seed.
     """
-    settings = checked_settings(team, disk, "hidden", update_time, seed, None)
+    checked = checked_settings(team, disk, "hidden", update_time, seed, None)
+    settings = replace(checked, time_limit=math.inf)  # captures that wait may come after it
     waits = tuple(dict.fromkeys(number("delays", delay, low=0.0) for delay in delays))
     if not waits:
         raise InputError("delays: expected at least one, got none")
@@ -215,10 +216,9 @@ def _all_games(
 ) -> Iterator[tuple[Capture, ...]]:
     """Play every sequence with all delays, from the start."""
     n = len(team)
-    untimed = Settings(settings.sensing, settings.update_time, settings.seed)
     for sequence in itertools.permutations(range(n)):
         for waits in itertools.product(delays, repeat=n):
-            game = play(team, disk, evaders, DelayedSequence(sequence, waits), untimed)
+            game = play(team, disk, evaders, DelayedSequence(sequence, waits), settings)
             if math.isinf(game.survival_time):
                 raise _too_many_updates(settings.update_time)
             yield tuple(map(Capture, sequence, game.capture_times.tolist(), waits))
