@@ -17,12 +17,16 @@ if TYPE_CHECKING:
     from covey.model import PursuerDisk as PursuerDisk
     from covey.model import Team as Team
     from covey.model import turns_to as turns_to
+    from covey.planning import Bracket as Bracket
     from covey.planning import Guarantee as Guarantee
     from covey.planning import Plan as Plan
     from covey.planning import PlanStatus as PlanStatus
+    from covey.planning import SequencePlan as SequencePlan
+    from covey.planning import bracket as bracket
     from covey.planning import capture_times as capture_times
     from covey.planning import guaranteed_survival as guaranteed_survival
     from covey.planning import plan as plan
+    from covey.planning import plan_for_sequence as plan_for_sequence
     from covey.players import BestSequence as BestSequence
     from covey.players import CommittedPursuer as CommittedPursuer
     from covey.players import ConstantHeading as ConstantHeading
@@ -38,7 +42,9 @@ if TYPE_CHECKING:
     from covey.players import RandomSequence as RandomSequence
     from covey.players import SmallestDanger as SmallestDanger
     from covey.players import StraightAway as StraightAway
+    from covey.players import WorstCase as WorstCase
     from covey.players import simulate as simulate
+    from covey.players import worst_case as worst_case
     from covey.scenarios import Scenario as Scenario
     from covey.scenarios import load_scenario as load_scenario
     from covey.simulation import Chase as Chase
@@ -55,12 +61,16 @@ if TYPE_CHECKING:
 _ROOMS = {
     "covey.model": ("InputError", "PursuerDisk", "Team", "turns_to"),
     "covey.planning": (
+        "Bracket",
         "Guarantee",
         "Plan",
         "PlanStatus",
+        "SequencePlan",
+        "bracket",
         "capture_times",
         "guaranteed_survival",
         "plan",
+        "plan_for_sequence",
     ),
     "covey.players": (
         "BestSequence",
@@ -78,7 +88,9 @@ _ROOMS = {
         "RandomSequence",
         "SmallestDanger",
         "StraightAway",
+        "WorstCase",
         "simulate",
+        "worst_case",
     ),
     "covey.scenarios": ("Scenario", "load_scenario"),
     "covey.simulation": (

@@ -64,7 +64,9 @@ def test_help_names_the_commands_the_examples_and_the_units(capsys):
     assert "Angles are radians, counter-clockwise from +x" in text
 
 
-@pytest.mark.parametrize("command", ["plan", "simulate", "draw", "reproduce", "chase"])
+@pytest.mark.parametrize(
+    "command", ["plan", "simulate", "worst-case", "draw", "reproduce", "yardstick", "chase"]
+)
 def test_the_help_of_each_command_shows_how_it_is_called(command, capsys):
     assert main([command, "--help"]) == 0
     text = capsys.readouterr().out

@@ -14,6 +14,8 @@ from covey.cli.plan import plan
 from covey.cli.reproduce import reproduce
 from covey.cli.simulate import simulate
 from covey.cli.study import study
+from covey.cli.worst_case import worst_case
+from covey.cli.yardstick import yardstick
 
 INPUT_ERROR = 2
 """Exit status after a mistake in a file or on the command line."""
@@ -42,10 +44,12 @@ Evaders are numbered from 0.
 app = App(name="covey", help=_HELP, help_format="markdown", suppress_keyboard_interrupt=False)
 app.command(plan, sort_key=1)
 app.command(simulate, sort_key=2)
-app.command(draw, sort_key=3)
-app.command(study, sort_key=4)
-app.command(reproduce, sort_key=5)
-app.command(chase, sort_key=6)
+app.command(worst_case, sort_key=3)
+app.command(draw, sort_key=4)
+app.command(study, sort_key=5)
+app.command(reproduce, sort_key=6)
+app.command(yardstick, sort_key=7)
+app.command(chase, sort_key=8)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

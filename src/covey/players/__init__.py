@@ -1,6 +1,7 @@
 """Strategies that come with the package, and `simulate`, which plays them."""
 
 from covey.players.constant_heading import ConstantHeading
+from covey.players.delayed import DelayedSequence
 from covey.players.evaders import IterativeOpenLoop, OpenLoop
 from covey.players.headings import HoldCourse, StraightAway
 from covey.players.known_sequence import KnownSequence
@@ -11,11 +12,15 @@ from covey.players.pursuers import CommittedPursuer, FlyingPursuer, PatientPursu
 from covey.players.sequences import BestSequence, FixedSequence, RandomSequence
 from covey.players.simulate import simulate
 from covey.players.smallest_danger import SmallestDanger
+from covey.players.two_evaders import DownhillPursuer
+from covey.players.worst_case import WorstCase, WorstCaseScope, worst_case
 
 __all__ = [
     "BestSequence",
     "CommittedPursuer",
     "ConstantHeading",
+    "DelayedSequence",
+    "DownhillPursuer",
     "FixedSequence",
     "FlyingPursuer",
     "HoldCourse",
@@ -29,6 +34,9 @@ __all__ = [
     "RandomSequence",
     "SmallestDanger",
     "StraightAway",
+    "WorstCase",
+    "WorstCaseScope",
     "simulate",
     "survival",
+    "worst_case",
 ]

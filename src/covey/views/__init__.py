@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from covey.views.animation import animate
     from covey.views.capture import draw_capture
+    from covey.views.closeness import draw_closeness
     from covey.views.control import draw_control
     from covey.views.curves import draw_gains
     from covey.views.game import draw_game
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 __all__ = [
     "animate",
     "draw_capture",
+    "draw_closeness",
     "draw_control",
     "draw_gains",
     "draw_game",
@@ -36,6 +38,7 @@ __all__ = [
 _HOMES = {
     "animate": "animation",
     "draw_capture": "capture",
+    "draw_closeness": "closeness",
     "draw_control": "control",
     "draw_gains": "curves",
     "draw_game": "game",
