@@ -55,7 +55,7 @@ class State(NamedTuple):
     disk: Floats  # (3,) centre and radius of where the pursuer can be, for all the team knows
     time: Floats  # (1,)
     resting: Table  # (N, 3) place and heading at the capture, by number
-    pursuer: Floats  # (3,) the disk itself or, where the pursuer is placed, its place and 0
+    pursuer: Floats  # (3,) its place and 0; all of the disk where it has no place
 
 
 @allocating
@@ -71,7 +71,7 @@ def initial_state(evaders: Table, center_x: float, center_y: float, radius: floa
         disk,
         np.zeros(1),
         np.zeros((n, 3)),
-        disk,
+        disk.copy(),
     )
 
 
@@ -195,16 +195,22 @@ def _move_pursuer(
 
 @compiled
 def _move_disk(state: State, rules: Rules, elapsed: float, captured: int) -> None:
-    """What the team knows: a place, if it sees it, or a disk that a capture makes collapse."""
-    disk = state.disk
+    """What the team knows: a place, if it sees it, or a disk that a capture makes collapse.
+
+    A pursuer that doesn't fly is that disk.
+    """
+    disk, pursuer = state.disk, state.pursuer
     if not rules.hidden:
         for k in range(3):
-            disk[k] = state.pursuer[k]
+            disk[k] = pursuer[k]
     elif captured == NOBODY:
         disk[2] += rules.pursuer_speed * elapsed
     else:
         disk[0], disk[1] = position(state.paths, captured, elapsed)
         disk[2] = rules.reach
+    if not flies(rules):
+        for k in range(3):
+            pursuer[k] = disk[k]
 
 
 @compiled
