@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from importlib.resources import files
+from typing import get_args
+
 import numpy as np
 import pytest
 from pydantic import ValidationError
@@ -39,6 +42,13 @@ def test_what_is_chosen_is_what_is_played():
     assert (disk.speed, disk.capture_radius) == (1.5, 0.05)
     assert choices.team_strategy() == covey.IterativeOpenLoop()
     assert Choices(team="open-loop").team_strategy() == covey.OpenLoop()
+
+
+def test_the_page_offers_every_team():
+    names = get_args(Choices.model_fields["team"].annotation)
+    page = files("covey.web").joinpath("page/index.html").read_text(encoding="utf-8")
+    assert all(f'<option value="{name}">' in page for name in names)
+    assert [Choices(team=name).team_strategy().describe()["name"] for name in names] == list(names)
 
 
 @pytest.mark.parametrize(

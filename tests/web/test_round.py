@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -39,6 +40,14 @@ def test_a_whole_game_keeps_the_rules(sensing):
         row = int(np.argmax(record.times == time)) + (record.times == time).sum() - 1
         off = record.evader_positions[row, i] - record.pursuer_positions[row]
         assert np.hypot(*off) <= record.disk.capture_radius * (1.0 + 1e-9)
+
+
+@pytest.mark.parametrize("team", get_args(Choices.model_fields["team"].annotation))
+def test_every_team_can_be_chased_to_the_end(team):
+    game = played(Choices(evaders=3, team=team, sensing="hidden", seed=2, capture_radius=0.05))
+    assert game.record().status is covey.GameStatus.ALL_CAPTURED
+    assert cast(game.record())["sure"] == (team in {"open-loop", "iterative-open-loop"})
+    assert game.score().share > 0.0
 
 
 def test_a_hidden_pursuer_is_always_in_the_disk_and_the_team_sees_nothing_else():

@@ -10,13 +10,28 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from covey.model import PursuerDisk, Team
 from covey.model.checks import Floats
-from covey.players import IterativeOpenLoop, OpenLoop
+from covey.players import (
+    ConstantHeading,
+    IterativeOpenLoop,
+    LargestDistance,
+    OpenLoop,
+    SmallestDanger,
+    StraightAway,
+)
 from covey.scenarios import example_path, load_scenario
 from covey.scenarios.starts import Formation, Sampler, Square
+from covey.simulation import TeamStrategy
 
-_TEAMS: dict[str, IterativeOpenLoop | OpenLoop] = {
+_PACE = 0.05
+"""Between two plans of teams that think in Python, up to some 10 ms at a time."""
+
+_TEAMS: dict[str, TeamStrategy] = {
     "iterative-open-loop": IterativeOpenLoop(),
     "open-loop": OpenLoop(),
+    "constant-heading": ConstantHeading(replan_time=_PACE),
+    "largest-distance": LargestDistance(replan_time=_PACE),
+    "smallest-danger": SmallestDanger(replan_time=_PACE),
+    "straight-away": StraightAway(),
 }
 _SAMPLERS: dict[str, Sampler] = {"random": Square(), "formation": Formation()}
 _FIG3_EVADERS = 5
@@ -37,7 +52,14 @@ class Choices(BaseModel):
     turn_rate: float = Field(default=1.57, ge=0.2, le=10.0)
     capture_radius: float = Field(default=0.03, ge=0.01, le=0.1)
     sensing: Literal["visible", "hidden"] = "visible"
-    team: Literal["iterative-open-loop", "open-loop"] = "iterative-open-loop"
+    team: Literal[
+        "iterative-open-loop",
+        "open-loop",
+        "constant-heading",
+        "largest-distance",
+        "smallest-danger",
+        "straight-away",
+    ] = "iterative-open-loop"
     start: Literal["random", "formation", "fig3"] = "random"
     seed: int = Field(default=1, ge=0, lt=2**31)
 
@@ -55,7 +77,7 @@ class Choices(BaseModel):
             PursuerDisk(speed=self.pursuer_speed, capture_radius=self.capture_radius),
         )
 
-    def team_strategy(self) -> IterativeOpenLoop | OpenLoop:
+    def team_strategy(self) -> TeamStrategy:
         """Return how the team plans."""
         return _TEAMS[self.team]
 

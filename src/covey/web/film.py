@@ -14,11 +14,15 @@ from covey.simulation import Game
 MOST_PICTURES = 1500
 """Of a film: with more, a page would be slow to load it and no smoother."""
 
+_KEEPS_GUARANTEE = {"open-loop", "iterative-open-loop"}
+"""Teams that never fall short of what their first plan is worth."""
+
 Json = dict[str, Any]
 
 
 def cast(game: Game) -> Json:
     """Return what stays the same during a game."""
+    names = {side: str(each.get("name", "")) for side, each in game.strategies.items()}
     return {
         "evaders": len(game.team),
         "speeds": game.team.speeds.tolist(),
@@ -28,7 +32,8 @@ def cast(game: Game) -> Json:
         "capture_radius": game.disk.capture_radius,
         "sensing": game.sensing,
         "guarantee": game.guarantee,
-        "strategies": {side: str(each.get("name", "")) for side, each in game.strategies.items()},
+        "sure": names.get("evaders") in _KEEPS_GUARANTEE,
+        "strategies": names,
     }
 
 

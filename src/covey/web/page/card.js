@@ -37,12 +37,14 @@ export class Card {
     const many = cast.evaders === 1 ? "One evader is" : `${cast.evaders} evaders are`;
     this.show({
       title: "Press on the board to start",
-      text: `${many} sure to last for ${short(cast.guarantee)}, whatever you do. How close do you get?`,
+      text: cast.sure
+        ? `${many} sure to last for ${short(cast.guarantee)}, whatever you do. How close do you get?`
+        : `Nothing is sure: the first plan is worth ${short(cast.guarantee)}, and may be given up.`,
       ready: true,
     });
   }
 
-  over({ time, above, share }, { guarantee, optimal, best }, actions) {
+  over({ time, above, share }, { guarantee, sure, optimal, best }, actions) {
     if (time === null) {
       const text = "The game was stopped at its time limit with evaders alive.";
       this.show({ title: "They got away", text, actions });
@@ -51,11 +53,13 @@ export class Card {
     this.show({
       title: best ? "Your best at this game" : "All captured",
       score: percent(share),
-      text: `as quick as the optimal pursuer, and ${short(Math.max(above, 0))} above what the team was sure of.`,
+      text: sure
+        ? `as quick as the optimal pursuer, and ${short(Math.max(above, 0))} above what the team was sure of.`
+        : "as quick as the optimal pursuer.",
       figures: [
         ["you", "You", short(time)],
         ["optimal", "Optimal", short(optimal)],
-        ["guaranteed", "Guaranteed", short(guarantee)],
+        ["guaranteed", sure ? "Guaranteed" : "First plan", short(guarantee)],
       ],
       actions,
     });

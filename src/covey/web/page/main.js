@@ -106,7 +106,7 @@ function gameIsSet({ cast, picture, update_time: updateTime }) {
   card.ready(cast);
   camera.cut(places(playback.moment), insets());
   board.heading = Math.PI / 2;
-  say(`Game ready. The team is sure to survive for ${short(cast.guarantee)}.`);
+  say(`Game ready. ${cast.sure ? "The team is sure to survive for" : "The team's first plan is worth"} ${short(cast.guarantee)}.`);
 }
 
 function optimalIsKnown({ survival_time: time }) {
@@ -139,7 +139,8 @@ function gameIsOver(score) {
 }
 
 function showOver() {
-  const figures = { guarantee: playback.live.cast.guarantee, optimal: state.optimal, best: state.best };
+  const { guarantee, sure } = playback.live.cast;
+  const figures = { guarantee, sure, optimal: state.optimal, best: state.best };
   card.over(state.score, figures, [
     ["Play again", newGame],
     ["Another start", anotherGame],
@@ -249,22 +250,23 @@ function drawMoment(moment, now, seconds) {
   at("clock").textContent = short(moment.time || 0);
   at("left-chip").textContent = `${moment.sequence.length} of ${cast.evaders} alive`;
   at("mode-chip").textContent = `${cast.sensing} pursuer`;
-  at("clock-label").textContent = label(moment.time - cast.guarantee);
+  at("clock-label").textContent = label(moment.time - cast.guarantee, cast.sure);
   at("back").hidden = at("rate-chip").hidden = true;
   at(state.watching ? "back" : "rate-chip").hidden = false;
   timeline.show({
     time: moment.time,
     captures: moment.captured,
     guarantee: cast.guarantee,
+    sure: cast.sure,
     optimal: state.watching === "opened" ? null : state.optimal,
     end: playback.isLive ? null : playback.film.end,
   });
   showButtons();
 }
 
-function label(above) {
+function label(above, sure) {
   const what = { optimal: "the optimal pursuer", yours: "replay of your game", opened: "record" }[state.watching];
-  return `${what ?? "survival time"}${above > 0 ? `, ${short(above)} above the guarantee` : ""}`;
+  return `${what ?? "survival time"}${above > 0 ? `, ${short(above)} above the ${sure ? "guarantee" : "first plan"}` : ""}`;
 }
 
 function showButtons() {

@@ -9,7 +9,7 @@ export class Timeline {
   }
 
   // `end` of a film that can be scrubbed through, or null during a game.
-  show({ time, captures, guarantee, optimal, end }) {
+  show({ time, captures, guarantee, sure, optimal, end }) {
     const known = [guarantee, optimal ?? 0, end ?? 0];
     const span = Math.max(1.2 * Math.max(...known), end === null ? 1.02 * time : 0) || 1;
     this.fill.style.width = `${(100 * time) / span}%`;
@@ -20,10 +20,10 @@ export class Timeline {
       this.scrub.setAttribute("aria-valuetext", `time ${time.toFixed(2)} of ${end.toFixed(2)}`);
     }
     const width = this.marks.clientWidth;
-    const key = [span.toFixed(3), guarantee, optimal, captures.length, width].join();
+    const key = [span.toFixed(3), guarantee, sure, optimal, captures.length, width].join();
     if (key === this.drawn) return;
     this.drawn = key;
-    const marks = [mark("guaranteed", guarantee / span, `guaranteed ${short(guarantee)}`)];
+    const marks = [mark("guaranteed", guarantee / span, `${nameOf(sure)} ${short(guarantee)}`)];
     if (optimal !== null) {
       const early = Math.min(guarantee, optimal) / span;
       const late = Math.max(guarantee, optimal) / span;
@@ -45,6 +45,11 @@ function mark(kind, share, text) {
   element.style.setProperty("--share", `${100 * share}%`);
   if (text) element.append(Object.assign(document.createElement("span"), { textContent: text }));
   return element;
+}
+
+// What the first plan is worth is guaranteed only by teams that never fall short of it.
+export function nameOf(sure) {
+  return sure ? "guaranteed" : "first plan";
 }
 
 export function short(time) {
