@@ -10,6 +10,9 @@ import pytest
 from scipy.optimize import brentq, differential_evolution
 
 import covey
+from covey.kernels.fixed_sequence import latest_in_sequence
+from covey.model.angles import wrap_angle
+from covey.planning.guarantee import pursuit_of
 from games import fleeing, random_game
 
 
@@ -80,6 +83,45 @@ def test_equals_the_best_root_of_the_stationarity_conditions(seed, speed):
     plan = covey.plan_for_sequence(team, covey.PursuerDisk(), sequence)
     roots = stationary_times(places[sequence], speed)
     assert plan.survival_time == pytest.approx(max(roots), rel=1e-9)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 5, 8])
+@pytest.mark.parametrize("speed", [0.25, 0.9])
+def test_unlimited_turns_are_the_root_near_which_finer_and_finer_grids_end(count, speed):
+    for seed in range(10):
+        generator = np.random.default_rng(seed)
+        team, disk = random_game(
+            generator, count, radius=0.1 * (seed % 2), capture_radius=0.01 * (seed % 3)
+        )
+        team = covey.Team(team.positions, team.headings, speed, math.inf)
+        sequence = generator.permutation(count)
+        plan = covey.plan_for_sequence(team, disk, sequence)
+        refined, _ = latest_in_sequence(team.as_rows(), pursuit_of(disk), sequence, 1e-9)
+        times = covey.capture_times(team, disk, wrap_angle(refined), sequence)
+        assert plan.survival_time == pytest.approx(times[-1], rel=1e-13)
+        assert np.abs(wrap_angle(plan.turns - refined)).max() < 1e-6
+        assert misalignment(team, disk, plan) < 1e-12
+
+
+def misalignment(team, disk, plan):
+    """Largest angle, as a sine, between a heading and λ_k n_k - λ_{k+1} n_{k+1}."""
+    order = list(plan.sequence)
+    flown = team.speeds[0] * np.array([unit(heading) for heading in plan.goal_headings[order]])
+    places = team.positions[order] + flown * plan.capture_times[:, None]
+    ways = np.diff([disk.center, *places], axis=0)
+    normals = ways / np.hypot(*ways.T)[:, None]
+    normals[np.diff(plan.capture_times, prepend=0.0) == 0.0] = 0.0  # it was in the disk already
+    sines, later, normal_later = [], 0.0, np.zeros(2)
+    backwards = zip(normals[::-1], flown[::-1], plan.capture_times[::-1], strict=True)
+    for normal, velocity, time in backwards:
+        delays = later * (disk.speed - normal_later @ velocity) if later else 1.0
+        now = delays / (disk.speed - normal @ velocity)
+        goal = now * normal - later * normal_later
+        if time > 0.0:
+            across = goal[0] * velocity[1] - goal[1] * velocity[0]
+            sines.append(abs(across) / (np.hypot(*goal) * np.hypot(*velocity)))
+        later, normal_later = now, normal
+    return max(sines, default=0.0)
 
 
 def stationary_times(places, speed):

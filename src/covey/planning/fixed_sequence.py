@@ -9,13 +9,18 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.kernels.fixed_sequence import latest_in_sequence
+from covey.kernels.types import Pursuit
 from covey.model import PursuerDisk, Team
 from covey.model.angles import wrap_angle
-from covey.model.checks import Floats, permutation
+from covey.model.checks import Floats, Ints, permutation
 from covey.planning.guarantee import capture_times, pursuit_of
+from covey.planning.stationary import root_near
 
 _TURN_TOLERANCE = 1e-9
 """Radians. The last capture is a maximum, so it errs by the square of this."""
+
+_NEAR_ROOT = 1e-3
+"""Radians. So near to the maximum a root search takes over where turning is unlimited."""
 
 
 class SequenceStatus(StrEnum):
@@ -86,7 +91,8 @@ def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) ->
     problem of [2]_: with T_k the k-th capture time, P_k its place, n_k the unit vector from P_{k-1}
     to P_k and λ_k = dT_N/dT_k as far as it is delayed by the k-th flight alone, the k-th evader
     flies along λ_k n_k - λ_{k+1} n_{k+1}, the last one straight away from P_{N-1}. Such a root may
-    also be a minimum or a saddle.
+    also be a minimum or a saddle, so the grid says near which one to search; the root search then
+    gives the turns to the last digits. Comparing times tells them to some 1e-8 only.
 
     References
     ----------
@@ -97,7 +103,7 @@ def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) ->
     """
     disk.require_faster_than(team)
     order = permutation("sequence", sequence, len(team))
-    found, settled = latest_in_sequence(team.as_rows(), pursuit_of(disk), order, _TURN_TOLERANCE)
+    found, settled = _latest(team, pursuit_of(disk), order)
     turns = np.where(np.isinf(team.turn_rates), wrap_angle(found), found)
     goals, times = wrap_angle(team.headings + turns), capture_times(team, disk, turns, order)
     for array in (turns, goals, times):
@@ -110,3 +116,14 @@ def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) ->
         survival_time=float(times[-1]),
         status=SequenceStatus.CONVERGED if settled else SequenceStatus.STEPS_USED_UP,
     )
+
+
+def _latest(team: Team, pursuit: Pursuit, order: Ints) -> tuple[Floats, bool]:
+    """Return the best turns, and whether they stand still."""
+    evaders = team.as_rows()
+    if np.isinf(team.turn_rates).all():
+        near, _ = latest_in_sequence(evaders, pursuit, order, _NEAR_ROOT)
+        root = root_near(evaders, pursuit, order, near)
+        if root is not None:
+            return root, True
+    return latest_in_sequence(evaders, pursuit, order, _TURN_TOLERANCE)
