@@ -17,17 +17,34 @@ if TYPE_CHECKING:
     from covey.model import PursuerDisk as PursuerDisk
     from covey.model import Team as Team
     from covey.model import turns_to as turns_to
+    from covey.planning import Bracket as Bracket
     from covey.planning import Guarantee as Guarantee
     from covey.planning import Plan as Plan
     from covey.planning import PlanStatus as PlanStatus
+    from covey.planning import SequencePlan as SequencePlan
+    from covey.planning import bracket as bracket
     from covey.planning import capture_times as capture_times
     from covey.planning import guaranteed_survival as guaranteed_survival
     from covey.planning import plan as plan
+    from covey.planning import plan_for_sequence as plan_for_sequence
+    from covey.players import BestSequence as BestSequence
     from covey.players import CommittedPursuer as CommittedPursuer
+    from covey.players import ConstantHeading as ConstantHeading
     from covey.players import FixedSequence as FixedSequence
+    from covey.players import FlyingPursuer as FlyingPursuer
+    from covey.players import HoldCourse as HoldCourse
     from covey.players import IterativeOpenLoop as IterativeOpenLoop
+    from covey.players import KnownSequence as KnownSequence
+    from covey.players import LargestDistance as LargestDistance
+    from covey.players import NearestFirst as NearestFirst
     from covey.players import OpenLoop as OpenLoop
+    from covey.players import PatientPursuer as PatientPursuer
+    from covey.players import RandomSequence as RandomSequence
+    from covey.players import SmallestDanger as SmallestDanger
+    from covey.players import StraightAway as StraightAway
+    from covey.players import WorstCase as WorstCase
     from covey.players import simulate as simulate
+    from covey.players import worst_case as worst_case
     from covey.scenarios import Scenario as Scenario
     from covey.scenarios import load_scenario as load_scenario
     from covey.simulation import Chase as Chase
@@ -44,19 +61,36 @@ if TYPE_CHECKING:
 _ROOMS = {
     "covey.model": ("InputError", "PursuerDisk", "Team", "turns_to"),
     "covey.planning": (
+        "Bracket",
         "Guarantee",
         "Plan",
         "PlanStatus",
+        "SequencePlan",
+        "bracket",
         "capture_times",
         "guaranteed_survival",
         "plan",
+        "plan_for_sequence",
     ),
     "covey.players": (
+        "BestSequence",
         "CommittedPursuer",
+        "ConstantHeading",
         "FixedSequence",
+        "FlyingPursuer",
+        "HoldCourse",
         "IterativeOpenLoop",
+        "KnownSequence",
+        "LargestDistance",
+        "NearestFirst",
         "OpenLoop",
+        "PatientPursuer",
+        "RandomSequence",
+        "SmallestDanger",
+        "StraightAway",
+        "WorstCase",
         "simulate",
+        "worst_case",
     ),
     "covey.scenarios": ("Scenario", "load_scenario"),
     "covey.simulation": (
@@ -81,6 +115,8 @@ def __getattr__(name: str) -> object:
         from importlib.metadata import version  # it costs more than all the rest
 
         return version("covey")
+    if name == "envs":  # the one room that is used by its name; it needs covey[env]
+        return import_module("covey.envs")
     if name not in _HOME:
         raise AttributeError(f"module 'covey' has no attribute {name!r}")
     value = getattr(import_module(_HOME[name]), name)

@@ -48,6 +48,9 @@ def printed(capsys, *arguments):
 
 def test_plan_prints_guarantee_headings_sequences_and_how_the_search_ended(scenario, capsys):
     plan, text = scenario.plan(), printed(capsys, "plan", "three.toml")
+    upper = scenario.bracket().upper
+    assert f"survives at least {plan.survival_time:.6g}; " in text
+    assert f"no team could be sure of more than {upper:.6g}\n" in text
     assert f"guaranteed survival time  {plan.survival_time:.6g}" in text
     assert " ".join(map(str, plan.critical_sequences[0])) in text
     assert f"{plan.goal_headings[1]:+.4f}" in text
@@ -58,10 +61,28 @@ def test_plan_prints_guarantee_headings_sequences_and_how_the_search_ended(scena
 def test_plan_prints_json_to_the_last_digit(scenario, capsys):
     plan, told = scenario.plan(), json.loads(printed(capsys, "plan", "three.toml", "--json"))
     assert told["survival_time"] == plan.survival_time
+    assert told["upper_bound"] == scenario.bracket().upper
+    assert sorted(told["announced_sequence"]) == [0, 1, 2]
     assert told["goal_headings"] == plan.goal_headings.tolist()
     assert told["turns"] == plan.turns.tolist()
     assert told["critical_sequences"] == [list(each) for each in plan.critical_sequences]
     assert told["status"] == plan.status
+
+
+def test_worst_case_prints_time_scope_and_captures(scenario, capsys):
+    worst, text = scenario.worst_case(), printed(capsys, "worst-case", "three.toml")
+    assert f"least survival time  {worst.survival_time:.6g}" in text
+    assert str(worst.scope) in " ".join(text.split())
+    rows = [line.split()[:2] for line in text.splitlines() if line.strip()[:1] in list("123")]
+    assert rows == [[str(k), str(i)] for k, i in enumerate(worst.sequence, start=1)]
+
+
+def test_worst_case_prints_json_and_takes_delays(scenario, capsys):
+    worst = scenario.worst_case([0.0, 0.5])
+    told = json.loads(printed(capsys, "worst-case", "three.toml", "--json", "--delays", "0", "0.5"))
+    assert told["survival_time"] == worst.survival_time
+    assert told["sequence"] == list(worst.sequence)
+    assert told["scope"] == str(worst.scope)
 
 
 def test_simulate_prints_guarantee_survival_time_and_captures(record, capsys):

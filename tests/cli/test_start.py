@@ -11,7 +11,7 @@ from covey.cli import main
 from covey.scenarios import example_names
 
 COVEY = [sys.executable, "-m", "covey"]
-HEAVY = ["numba", "matplotlib", "pyarrow", "pydantic", "numpy"]
+HEAVY = ["numba", "matplotlib", "pyarrow", "pydantic", "numpy", "starlette", "uvicorn"]
 
 
 def run(*arguments):
@@ -24,6 +24,7 @@ def run(*arguments):
         "import covey",
         "from covey.cli import main; main(['--help'])",
         "from covey.cli import main; main(['draw', '--help'])",
+        "from covey.cli import main; main(['chase', '--help'])",
         "from covey.cli import main; main(['--version'])",
     ],
 )
@@ -58,12 +59,14 @@ def test_help_comes_at_once():
 def test_help_names_the_commands_the_examples_and_the_units(capsys):
     assert main(["--help"]) == 0
     text = " ".join(capsys.readouterr().out.split())
-    for word in ("plan", "simulate", "draw", "reproduce", *example_names()):
+    for word in ("plan", "simulate", "draw", "reproduce", "chase", *example_names()):
         assert word in text
     assert "Angles are radians, counter-clockwise from +x" in text
 
 
-@pytest.mark.parametrize("command", ["plan", "simulate", "draw", "reproduce"])
+@pytest.mark.parametrize(
+    "command", ["plan", "simulate", "worst-case", "draw", "reproduce", "yardstick", "chase"]
+)
 def test_the_help_of_each_command_shows_how_it_is_called(command, capsys):
     assert main([command, "--help"]) == 0
     text = capsys.readouterr().out

@@ -28,6 +28,18 @@ BAD = [
         "CommittedPursuer.margin: expected a finite number >= 0, got nan",
     ),
     (
+        lambda: covey.FlyingPursuer(-1.0),
+        "FlyingPursuer.margin: expected a finite number >= 0, got -1.0",
+    ),
+    (
+        lambda: covey.ConstantHeading(starts=0),
+        "ConstantHeading.starts: expected a whole number >= 1, got 0",
+    ),
+    (
+        lambda: covey.KnownSequence([1, 1]),
+        "KnownSequence: expected each evader 0..N-1 once, got [1, 1]",
+    ),
+    (
         lambda: covey.FixedSequence([0, 0]),
         "FixedSequence: expected each evader 0..N-1 once, got [0, 0]",
     ),
@@ -52,6 +64,12 @@ def test_a_sequence_for_a_team_of_another_size(sequence, compiled):
     pursuer = covey.FixedSequence(sequence)
     with pytest.raises(covey.InputError, match="expected a sequence of all 3 evaders, got"):
         covey.simulate(team, covey.PursuerDisk(), pursuer=pursuer if compiled else pursuer.start(0))
+
+
+def test_a_known_sequence_of_a_team_of_another_size():
+    team = covey.Team([(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0)], [0.0, 0.0, 0.0])
+    with pytest.raises(covey.InputError, match="KnownSequence: expected a sequence of all 3"):
+        covey.simulate(team, covey.PursuerDisk(), evaders=covey.KnownSequence([1, 0]))
 
 
 def test_strategies_with_equal_parameters_are_equal():

@@ -81,3 +81,14 @@ def test_visible_costs_little_to_hide():
     seen = scenario.simulate().survival_time
     hidden = dataclasses.replace(scenario, sensing="hidden").simulate().survival_time
     assert hidden == pytest.approx(seen, rel=0.05)
+
+
+def test_unseen_flies_in_the_disk_and_needs_longer_than_the_disk_itself():
+    scenario = example("unseen")
+    game = scenario.simulate()
+    assert game.survival_time == pytest.approx(3.60, abs=0.005)
+    assert np.allclose(game.pursuer_positions[0], [-0.09, 0.12])
+    off = np.linalg.norm(game.pursuer_positions - game.disk_centers, axis=1)
+    assert (off <= game.disk_radii + 1e-9).all()
+    disk = dataclasses.replace(scenario, pursuer=covey.CommittedPursuer()).simulate()
+    assert disk.survival_time == pytest.approx(3.49, abs=0.005)

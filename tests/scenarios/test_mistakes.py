@@ -13,6 +13,10 @@ from covey.scenarios import load_scenario
 from covey.scenarios.load import checked
 from scenarios.files import ONE_EVADER, mistakes
 
+NAMES = (
+    '"committed", "flying", "patient", "fixed-sequence", "best-sequence", "random-sequence", '
+    '"nearest-first"'
+)
 NO_EVADERS = (
     "team.evaders: expected 1 to 18 evaders, got none; add a [[team.evaders]] table with a "
     "position for each, or [team.random] with a count"
@@ -176,17 +180,15 @@ def test_a_mistake_in_the_number_of_evaders(text, lines, tmp_path):
     [
         (
             '"comitted"',
-            ': expected one of "committed", "fixed-sequence", got "comitted"; did you mean '
-            '"committed"?',
+            f': expected one of {NAMES}, got "comitted"; did you mean "committed"?',
         ),
         (
             '{ name = "Fixed-Sequence", sequence = [0] }',
-            '.name: expected one of "committed", "fixed-sequence", got "Fixed-Sequence"; did you '
-            'mean "fixed-sequence"?',
+            f'.name: expected one of {NAMES}, got "Fixed-Sequence"; did you mean "fixed-sequence"?',
         ),
         (
             "{ margin = 1 }",
-            '.name: expected one of "committed", "fixed-sequence", got nothing',
+            f".name: expected one of {NAMES}, got nothing",
         ),
         (
             "3",
@@ -214,6 +216,42 @@ def test_a_mistake_in_the_number_of_evaders(text, lines, tmp_path):
 def test_a_mistake_of_a_strategy(strategy, line, tmp_path):
     text = f"[pursuer]\nstrategy = {strategy}\n{ONE_EVADER}"
     assert mistakes(tmp_path, text) == [f"pursuer.strategy{line}"]
+
+
+@pytest.mark.parametrize(
+    ("strategy", "line"),
+    [
+        (
+            '{ name = "constant-heading", replan_time = -1 }',
+            ".replan_time: expected a finite number >= 0, got -1",
+        ),
+        (
+            '{ name = "hold-course", replan_time = 1 }',
+            ".replan_time: unknown key; known here: name",
+        ),
+        (
+            '{ name = "known-sequence", sequence = [1] }',
+            ".sequence: expected each evader 0..0 once, got [1]",
+        ),
+        (
+            '"straigt-away"',
+            ': expected one of "open-loop", "iterative-open-loop", "constant-heading", '
+            '"straight-away", "hold-course", "known-sequence", "largest-distance", '
+            '"smallest-danger", got "straigt-away"; did you mean "straight-away"?',
+        ),
+    ],
+)
+def test_a_mistake_of_a_teams_strategy(strategy, line, tmp_path):
+    text = f"[team]\nstrategy = {strategy}\n{ONE_EVADER}"
+    assert mistakes(tmp_path, text) == [f"team.strategy{line}"]
+
+
+@pytest.mark.parametrize("offset", ["[1.0, 0.1]", "[0.5]", "0.5"])
+def test_a_mistake_of_a_pursuers_place(offset, tmp_path):
+    text = f'[pursuer]\nstrategy = {{ name = "flying", offset = {offset} }}\n{ONE_EVADER}'
+    wanted = "a point [x, y] at most 1 from the origin"
+    line = f"pursuer.strategy.offset: expected {wanted}, got {offset}"
+    assert mistakes(tmp_path, text) == [line]
 
 
 @pytest.mark.parametrize("starts", ["0", "1.5", "inf"])

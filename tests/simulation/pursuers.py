@@ -67,3 +67,29 @@ def roaming(seed):
 def in_numerical_order(seed):
     """Captures by the evaders' numbers."""
     return lambda situation: covey.Chase(tuple(sorted(situation.evaders)))
+
+
+class Unseen:
+    """Roams like `roaming`, but hidden, from a place at the edge of the disk."""
+
+    def __init__(self, seed=0):
+        self.seed = seed
+
+    def start(self, seed):
+        return roaming(self.seed)
+
+    def place(self, disk):
+        return disk.center + disk.radius * np.array([math.cos(self.seed), math.sin(self.seed)])
+
+
+class Steered:
+    """Is at the disk's centre and goes from there, hidden or not, as a function says."""
+
+    def __init__(self, decide):
+        self.decide = decide
+
+    def start(self, seed):
+        return self.decide
+
+    def place(self, disk):
+        return disk.center

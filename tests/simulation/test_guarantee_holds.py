@@ -15,7 +15,7 @@ from simulation import pursuers
 ROUNDING = 1e-9
 """Of a time, in games of about unit size: what a capture may come too soon by."""
 LONGEST = 10.0
-GAMES, GAMES_IF_COMPILED = 50, 150
+GAMES, GAMES_IF_COMPILED = 30, 100
 
 PURSUERS = {
     "committed": lambda seed: covey.CommittedPursuer(),
@@ -27,10 +27,20 @@ PURSUERS = {
     "farthest first": pursuers.farthest_first,
     "waits": pursuers.waiting,
     "roams": pursuers.roaming,
+    "random sequence": lambda seed: covey.RandomSequence(),
+    "best sequence": lambda seed: covey.BestSequence(),
+    "greedy": lambda seed: covey.NearestFirst(),
+    "flies in the disk": lambda seed: covey.FlyingPursuer(offset=(0.8, 0.6)),
+    "roams unseen": pursuers.Unseen,
 }
+TEAMS = (
+    covey.OpenLoop(starts=2),
+    covey.IterativeOpenLoop(starts=2, restarts=2),
+    covey.IterativeOpenLoop(starts=2, restarts=0, replan_time=0.25),
+)
 CASES = [
     (team, sensing, name)
-    for team in (covey.OpenLoop(starts=2), covey.IterativeOpenLoop(starts=2, restarts=2))
+    for team in TEAMS
     for sensing in ("hidden", "visible")
     for name in PURSUERS
     if (sensing, name) != ("hidden", "roams")  # a disk can't be steered
@@ -51,7 +61,10 @@ def any_game(generator):
 @pytest.mark.parametrize(
     ("evaders", "sensing", "name"),
     CASES,
-    ids=[f"{type(team).__name__}-{sensing}-{name}" for team, sensing, name in CASES],
+    ids=[
+        f"{type(team).__name__} {getattr(team, 'replan_time', '')}-{sensing}-{name}"
+        for team, sensing, name in CASES
+    ],
 )
 def test_no_pursuer_beats_the_guarantee(evaders, sensing, name):
     case = zlib.crc32(f"{evaders}{sensing}{name}".encode())

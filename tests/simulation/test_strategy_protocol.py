@@ -140,7 +140,12 @@ def test_the_record_names_the_strategies():
     team, disk = random_game(np.random.default_rng(6), 2)
     game = covey.simulate(team, disk, time_limit=0.1)
     assert game.strategies == {
-        "evaders": {"name": "iterative-open-loop", "starts": 32, "restarts": 8},
+        "evaders": {
+            "name": "iterative-open-loop",
+            "starts": 32,
+            "restarts": 8,
+            "replan_time": 0.0,
+        },
         "pursuer": {"name": "committed", "margin": 0.01},
     }
     game = covey.simulate(

@@ -8,11 +8,14 @@ from collections.abc import Sequence
 
 from cyclopts import App, CycloptsError
 
+from covey.cli.chase import chase
 from covey.cli.draw import draw
 from covey.cli.plan import plan
 from covey.cli.reproduce import reproduce
 from covey.cli.simulate import simulate
 from covey.cli.study import study
+from covey.cli.worst_case import worst_case
+from covey.cli.yardstick import yardstick
 
 INPUT_ERROR = 2
 """Exit status after a mistake in a file or on the command line."""
@@ -25,13 +28,14 @@ Plan how a team of turn-limited vehicles survives, as a team and for as long as 
 one faster pursuer that it may not see; play the game; draw it.
 
 Games are described in TOML files. Some come with covey and are asked for by name: fig3, \
-uncertain, unequal, visible.
+uncertain, unequal, unseen, visible.
 
 Try:
 
     covey plan fig3
     covey simulate fig3 --output game.parquet
     covey draw game.parquet --output game.png
+    covey chase
 
 Angles are radians, counter-clockwise from +x; lengths and times are in any consistent unit. \
 Evaders are numbered from 0.
@@ -40,9 +44,12 @@ Evaders are numbered from 0.
 app = App(name="covey", help=_HELP, help_format="markdown", suppress_keyboard_interrupt=False)
 app.command(plan, sort_key=1)
 app.command(simulate, sort_key=2)
-app.command(draw, sort_key=3)
-app.command(study, sort_key=4)
-app.command(reproduce, sort_key=5)
+app.command(worst_case, sort_key=3)
+app.command(draw, sort_key=4)
+app.command(study, sort_key=5)
+app.command(reproduce, sort_key=6)
+app.command(yardstick, sort_key=7)
+app.command(chase, sort_key=8)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

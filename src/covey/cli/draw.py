@@ -18,7 +18,7 @@ def draw(
         Parameter(
             name="FILE",
             help="Record of a game, or a scenario, which is played first: its file, or the name "
-            "of one that comes with covey.",
+            "of one that comes with covey. Or the folder with the results of a tournament.",
         ),
     ],
     /,
@@ -52,7 +52,16 @@ def draw(
         covey draw game.parquet --output game.png
         covey draw fig3 --view plan --output plan.pdf
         covey draw fig3 --record game.parquet --output game.gif
+        covey draw results/tournament --output tournament.png
     """
+    if Path(file).is_dir():
+        from covey.cli.tournament import draw_tournament
+        from covey.model import InputError
+
+        if (view, record, seed) != (None, None, None):
+            raise InputError(f"{file}: --view, --record and --seed are for games; it is a folder")
+        draw_tournament(Path(file), output)
+        return
     from covey.cli.drawing import draw_view
     from covey.cli.sources import read_scenario_or_game
 

@@ -10,7 +10,8 @@ def plan(file: ScenarioFile, /, *, seed: Seed = None, json: Json = False) -> Non
 
     Every evader turns once, at its full rate, and then flies straight. The guaranteed survival
     time holds against any pursuer in the disk, whatever it does; the critical sequences are the
-    orders of capture by which it would come closest.
+    orders of capture by which it would come closest. Beside it stands a time that no team could be
+    sure to exceed, whatever its strategy, even if it saw the pursuer and turned at once.
 
     Try:
 
@@ -19,12 +20,12 @@ def plan(file: ScenarioFile, /, *, seed: Seed = None, json: Json = False) -> Non
     from covey.cli.sources import read_scenario
 
     scenario = read_scenario(file, seed)
-    found = scenario.plan()
+    found = scenario.bracket()
     if json:
-        from covey.cli.report import plan_as_json, print_json
+        from covey.cli.report import bracket_as_json, print_json
 
-        print_json(plan_as_json(scenario, found))
+        print_json(bracket_as_json(scenario, found))
     else:
-        from covey.cli.tables import print_plan
+        from covey.cli.tables import print_bracket
 
-        print_plan(scenario, found)
+        print_bracket(scenario, found)

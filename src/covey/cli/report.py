@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import asdict
 from typing import Any, NamedTuple
 
-from covey.planning import Plan
+from covey.planning import Bracket
+from covey.players import WorstCase
 from covey.scenarios import Scenario
 from covey.simulation import Game
 
@@ -19,10 +21,13 @@ class Capture(NamedTuple):
     place: list[float]
 
 
-def plan_as_json(scenario: Scenario, plan: Plan) -> dict[str, Any]:
-    """Return a plan, angles in radians."""
+def bracket_as_json(scenario: Scenario, bracket: Bracket) -> dict[str, Any]:
+    """Return a plan, angles in radians, and a bound on what any team can be sure of."""
+    plan = bracket.plan
     return {
         "survival_time": plan.survival_time,
+        "upper_bound": bracket.upper,
+        "announced_sequence": list(bracket.sequence),
         "turns": plan.turns.tolist(),
         "goal_headings": plan.goal_headings.tolist(),
         "critical_sequences": [list(sequence) for sequence in plan.critical_sequences],
@@ -46,6 +51,11 @@ def game_as_json(game: Game) -> dict[str, Any]:
         "seed": game.seed,
         "strategies": {side: dict(strategy) for side, strategy in game.strategies.items()},
     }
+
+
+def worst_case_as_json(worst: WorstCase) -> dict[str, Any]:
+    """Return the worst case, and over which pursuers it was taken."""
+    return {**asdict(worst), "scope": str(worst.scope)}
 
 
 def captures(game: Game) -> list[Capture]:

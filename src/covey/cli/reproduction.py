@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-import io
-from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from covey import views
 from covey.cli.drawing import save_film
-from covey.cli.outputs import print_saved
+from covey.cli.outputs import print_saved, write_csv
 from covey.cli.sources import read_scenario
 from covey.cli.studying import follow, print_study
 from covey.cli.tables import print_game
@@ -48,7 +45,7 @@ def reproduce_studies(
     fig4 = _study("fig4", folder, starts, workers)
     ratios = survival_ratios(fig4)
     _save(views.draw_ratios(ratios), folder, "fig4")
-    _write_csv(
+    write_csv(
         folder / "fig4.csv",
         ("team_size", "start", "hidden_over_visible"),
         ((size, k, q) for size, values in ratios.items() for k, q in enumerate(values.tolist())),
@@ -56,7 +53,7 @@ def reproduce_studies(
     fig5 = _study("fig5", folder, starts, workers)
     gains = turn_rate_gains(fig5)
     _save(_gains_figure(gains), folder, "fig5")
-    _write_csv(
+    write_csv(
         folder / "fig5.csv",
         ("sensing", "team_size", "turn_rate", "ratio", "ratio_error", "mean", "mean_error"),
         (
@@ -103,13 +100,3 @@ def _save(figure: Any, folder: Path, name: str) -> None:
     for ending in (".png", ".svg", ".pdf"):
         views.save(figure, folder / (name + ending))
     print_saved(folder / f"{name}.png")
-
-
-def _write_csv(path: Path, heads: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
-    text = io.StringIO(newline="")
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(heads)
-    writer.writerows(rows)
-    with whole_file(path) as file:
-        file.write(text.getvalue().encode())
-    print_saved(path)

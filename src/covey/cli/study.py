@@ -42,7 +42,8 @@ def study(
     Every start is played in every case of the study's grid. The tables come out the same, byte for
     byte, for any number of workers and however often the run was stopped and started again.
 
-    Two studies come with covey and are asked for by name: fig4 and fig5, those of the paper.
+    Three studies come with covey and are asked for by name: fig4 and fig5, those of the paper, and
+    tournament, every team against every pursuer.
 
     Try:
 

@@ -20,6 +20,7 @@ from rich.table import Table
 
 from covey.cli.outputs import print_saved
 from covey.cli.sources import path_of
+from covey.cli.tournament import print_tournament
 from covey.studies import (
     Line,
     Study,
@@ -31,6 +32,7 @@ from covey.studies import (
     summary,
 )
 from covey.studies.moments import Estimate
+from covey.studies.tournament import is_tournament
 
 _HEADINGS = {"team_size": "team", "turn_rate": "turn rate", "update_time": "update time"}
 
@@ -70,9 +72,21 @@ def follow(
 
 
 def print_study(result: StudyResult) -> None:
-    """Print a line for each case, and what is missing."""
-    lines = summary(result)
+    """Print a line for each case, or the tables of a tournament, and what is missing."""
     console = Console(highlight=False)
+    if is_tournament(result.study):
+        print_tournament(console, result)
+    else:
+        _print_cases(console, result)
+    print_saved(result.folder)
+    for failure in result.failures:
+        print(f"covey: {failure}", file=sys.stderr)
+    if result.failures:
+        print("covey: run the study again to try the missing games anew", file=sys.stderr)
+
+
+def _print_cases(console: Console, result: StudyResult) -> None:
+    lines = summary(result)
     table = Table(box=SIMPLE_HEAD, pad_edge=False)
     settings = list(lines[0].settings)
     stopped = any(line.stopped for line in lines)
@@ -91,11 +105,6 @@ def print_study(result: StudyResult) -> None:
         f"Means over {lines[0].starts} starts, ± 95 % confidence. Relative: mean over the mean of "
         "the first line of the same team, from the same starts."
     )
-    print_saved(result.folder)
-    for failure in result.failures:
-        print(f"covey: {failure}", file=sys.stderr)
-    if result.failures:
-        print("covey: run the study again to try the missing games anew", file=sys.stderr)
 
 
 def _row(line: Line) -> list[str]:

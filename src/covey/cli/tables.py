@@ -10,16 +10,21 @@ from rich.console import Console
 from rich.table import Table
 
 from covey.cli.report import captures
-from covey.planning import Plan
+from covey.planning import Bracket
+from covey.players import WorstCase
 from covey.scenarios import Scenario
 from covey.simulation import Game
 
 _MOST_SEQUENCES = 6
 
 
-def print_plan(scenario: Scenario, plan: Plan) -> None:
-    """Print the guaranteed survival time, where each evader heads, and how the search ended."""
-    console = _console()
+def print_bracket(scenario: Scenario, bracket: Bracket) -> None:
+    """Print the plan's guaranteed survival time, what bounds it, and where each evader heads."""
+    console, plan = _console(), bracket.plan
+    console.print(
+        f"survives at least {number(bracket.lower)}; "
+        f"no team could be sure of more than {number(bracket.upper)}"
+    )
     facts = [
         ("guaranteed survival time", number(plan.survival_time)),
         *_sequences(plan.critical_sequences),
@@ -42,6 +47,25 @@ def print_game(game: Game) -> None:
     console = _console()
     console.print(_facts(outcome(game)))
     console.print(capture_table(game))
+
+
+def print_worst_case(worst: WorstCase) -> None:
+    """Print the least survival time, what it was taken over, and the captures that lead to it."""
+    console = _console()
+    console.print(
+        _facts(
+            [
+                ("least survival time", number(worst.survival_time)),
+                ("over", str(worst.scope)),
+                ("played", f"{worst.flights} flights from one capture to the next"),
+            ]
+        )
+    )
+    table = _table("capture", "evader", "time", "waited")
+    rows = zip(worst.sequence, aligned(worst.capture_times, 6), worst.delays, strict=True)
+    for k, (evader, time, delay) in enumerate(rows, start=1):
+        table.add_row(str(k), str(evader), time, number(delay))
+    console.print(table)
 
 
 def outcome(game: Game) -> list[tuple[str, str]]:

@@ -9,22 +9,23 @@ import numpy as np
 
 from covey.kernels._jit import allocating, compiled
 from covey.kernels.ascent import AscentScratch
-from covey.kernels.columns import Columns, forget_captured
 from covey.kernels.path import HEADING, X, Y
-from covey.kernels.replanning import commit, replan
+from covey.kernels.policy import TeamMemory, TeamPolicy, plan_again
+from covey.kernels.replanning import commit
 from covey.kernels.rules import (
     MOST_UPDATES,
     NOBODY,
     Rules,
     State,
     announce,
+    chase_from,
     fly,
     pursuit_from,
     remove,
 )
 from covey.kernels.search import SearchScratch
 from covey.kernels.subsets import least_time
-from covey.kernels.types import Floats, Ints, Table
+from covey.kernels.types import Floats, Ints
 
 
 class Pages(NamedTuple):
@@ -36,15 +37,6 @@ class Pages(NamedTuple):
     pursuers: Floats  # (T, 5) place, then the disk's centre and radius
     critical: Ints  # (T, N)
     intended: Ints  # (T, N)
-
-
-class TeamPolicy(NamedTuple):
-    """How a built-in team plans."""
-
-    replans: bool  # iterative open loop, or open loop
-    restarts: int  # other starts that are followed after a capture
-    tolerance: float
-    most_steps: int
 
 
 @allocating
@@ -96,7 +88,7 @@ def write_page(
             pages.evaders[page, i, column] = state.resting[i, column]
     for k in range(3):
         pages.pursuers[page, 2 + k] = state.disk[k]
-    pages.pursuers[page, 0], pages.pursuers[page, 1] = state.disk[0], state.disk[1]
+    pages.pursuers[page, 0], pages.pursuers[page, 1] = state.pursuer[0], state.pursuer[1]
     for row in range(n):
         i = state.ids[row]
         pages.evaders[page, i, 0] = state.evaders[row, X]
@@ -123,15 +115,14 @@ def play(
     state: State,
     rules: Rules,
     team: TeamPolicy,
-    noise: Table,
-    columns: Columns,
+    memory: TeamMemory,
     margin: float,
     sequence: Ints,
     known: bool,
     recorded: bool,
     search: SearchScratch,
 ) -> tuple[int, Ints, Floats, int, Pages]:
-    """Play a game from `state`, where `state.turns` holds the first plan and `columns` its columns.
+    """Play a game from `state`, where `state.turns` and `memory` hold the first plan.
 
     The pursuer keeps to `sequence`, if one is `known`, or to the best, unless another is better by
     `margin`. Returns the number of captures, their order and times, the number of pages, the pages.
@@ -139,14 +130,13 @@ def play(
     n = state.alive[0]
     order, times = np.full(n, NOBODY), np.full(n, math.inf)
     captured, page, updates = 0, 0, 0
-    worth = -math.inf  # of the plan that is flown
     pages = blank_pages(256 if recorded else 1, n)
     scratch, sequence_times = search.ascent, np.empty(n)
     while state.alive[0] > 0 and state.time[0] < rules.time_limit and updates < MOST_UPDATES:
         updates += 1
-        alive, before = state.alive[0], state.time[0]
+        alive = state.alive[0]
         announce(state, rules)
-        pursuit = pursuit_from(state, rules)
+        pursuit = chase_from(state, rules)
         commit(state.paths, alive, pursuit, margin, known, sequence, sequence_times, scratch)
         known = True
         if recorded:
@@ -159,23 +149,9 @@ def play(
             order[captured], times[captured] = state.ids[taken], state.time[0]
             captured += 1
             drop_from_sequence(sequence, alive, taken)
-            forget_captured(columns, alive, taken)
             remove(state, taken)
-        played_on = state.time[0] < rules.time_limit and updates < MOST_UPDATES
-        if team.replans and state.alive[0] > 0 and played_on:
-            worth = replan(
-                state.evaders,
-                state.alive[0],
-                pursuit_from(state, rules),
-                noise,
-                team.restarts if taken != NOBODY else 0,
-                team.tolerance,
-                team.most_steps,
-                worth - (state.time[0] - before),
-                state.turns,
-                columns,
-                search,
-            )
+        if state.time[0] < rules.time_limit and updates < MOST_UPDATES:
+            plan_again(state, rules, team, memory, taken, search)
     if recorded:
         announce(state, rules)
         write_page(pages, page, state, rules, sequence, 0, scratch)

@@ -41,6 +41,7 @@ class Rules(NamedTuple):
     hidden: bool
     update_time: float
     time_limit: float
+    placed: bool = False  # the pursuer has a place from the start, also where it is hidden
 
 
 class State(NamedTuple):
@@ -54,21 +55,23 @@ class State(NamedTuple):
     disk: Floats  # (3,) centre and radius of where the pursuer can be, for all the team knows
     time: Floats  # (1,)
     resting: Table  # (N, 3) place and heading at the capture, by number
+    pursuer: Floats  # (3,) its place and 0; all of the disk where it has no place
 
 
 @allocating
 def initial_state(evaders: Table, center_x: float, center_y: float, radius: float) -> State:
     """The state at time 0, nothing announced."""
-    n = len(evaders)
+    n, disk = len(evaders), np.array([center_x, center_y, radius])
     return State(
         np.full(1, n),
         np.arange(n),
         evaders.copy(),
         np.zeros(n),
         np.empty((n, PATH)),
-        np.array([center_x, center_y, radius]),
+        disk,
         np.zeros(1),
         np.zeros((n, 3)),
+        disk.copy(),
     )
 
 
@@ -85,6 +88,24 @@ def pursuit_from(state: State, rules: Rules) -> Pursuit:
 
 
 @compiled
+def chase_from(state: State, rules: Rules) -> Pursuit:
+    """What the pursuer plans with: as the team's, but from its place where it has one."""
+    return Pursuit(
+        state.pursuer[0],
+        state.pursuer[1],
+        state.pursuer[2] + rules.reach,
+        2.0 * rules.reach,
+        rules.pursuer_speed,
+    )
+
+
+@compiled
+def flies(rules: Rules) -> bool:
+    """Whether the pursuer flies from place to place; one that doesn't is a disk that grows."""
+    return rules.placed or not rules.hidden
+
+
+@compiled
 def announce(state: State, rules: Rules) -> None:
     """Turn the announced turns into paths."""
     n = state.alive[0]
@@ -96,32 +117,41 @@ def fly(state: State, rules: Rules, target: int, velocity_x: float, velocity_y: 
     """Fly what is announced until the next update or capture; return the row of whom it took.
 
     The pursuer makes for the living evader in row `target` or, where that is `NOBODY`, flies the
-    velocity given. A hidden pursuer is its disk: it takes its target when the disk reaches it, and
-    nobody else. A visible one takes whomever it comes within ρ of. The one captured stays in the
-    state, for the record, until `remove` is called.
+    velocity given. A hidden pursuer is its disk, unless it is placed: it takes its target when the
+    disk reaches it, and nobody else. One that has a place takes whomever it comes within ρ of. The
+    one captured stays in the state, for the record, until `remove` is called.
     """
-    disk, paths = state.disk, state.paths
+    pursuer, paths, moves = state.pursuer, state.paths, flies(rules)
     elapsed, captured = min(rules.update_time, rules.time_limit - state.time[0]), NOBODY
     if target != NOBODY:
         meeting = earliest_capture(
-            paths, target, disk[0], disk[1], disk[2] + rules.reach, 0.0, rules.pursuer_speed
+            paths,
+            target,
+            pursuer[0],
+            pursuer[1],
+            pursuer[2] + rules.reach,
+            0.0,
+            rules.pursuer_speed,
         )
-        if not rules.hidden:
+        if moves:
             meeting_x, meeting_y = position(paths, target, meeting)
             velocity_x, velocity_y = _place_and_aim(state, rules, meeting_x, meeting_y)
         if meeting <= elapsed:
             elapsed, captured = meeting, target
-    elif not rules.hidden:
-        disk[2] = 0.0
-    if not rules.hidden and rules.reach > 0.0:
+    elif moves:
+        pursuer[2] = 0.0
+    if moves and rules.reach > 0.0:
         for i in range(state.alive[0]):
             if i != target:
                 contact = first_contact(
-                    paths, i, disk[0], disk[1], velocity_x, velocity_y, rules.reach, elapsed
+                    paths, i, pursuer[0], pursuer[1], velocity_x, velocity_y, rules.reach, elapsed
                 )
                 if contact < elapsed or (contact == elapsed and captured == NOBODY):
                     elapsed, captured = contact, i
-    _move_pursuer(state, rules, elapsed, captured, captured == target, velocity_x, velocity_y)
+    if moves:
+        met = captured if rules.reach == 0.0 else NOBODY
+        _move_pursuer(state, elapsed, met, velocity_x, velocity_y)
+    _move_disk(state, rules, elapsed, captured)
     _move_evaders(state, elapsed)
     state.time[0] += elapsed
     return captured
@@ -129,22 +159,22 @@ def fly(state: State, rules: Rules, target: int, velocity_x: float, velocity_y: 
 
 @compiled
 def _place_and_aim(state: State, rules: Rules, goal_x: float, goal_y: float) -> tuple[float, float]:
-    """Velocity of a visible pursuer towards its goal.
+    """Velocity towards its goal of a pursuer that flies.
 
     Where the game began with a disk, the pursuer turns out to be where in it the goal is nearest;
     one that doesn't make for an evader, at its centre.
     """
-    disk = state.disk
-    off_x, off_y = goal_x - disk[0], goal_y - disk[1]
+    pursuer = state.pursuer
+    off_x, off_y = goal_x - pursuer[0], goal_y - pursuer[1]
     distance = math.hypot(off_x, off_y)
     if distance == 0.0:
-        disk[2] = 0.0
+        pursuer[2] = 0.0
         return 0.0, 0.0
     towards_x, towards_y = off_x / distance, off_y / distance
-    ahead = min(disk[2], distance)
-    disk[0] += ahead * towards_x
-    disk[1] += ahead * towards_y
-    disk[2] = 0.0
+    ahead = min(pursuer[2], distance)
+    pursuer[0] += ahead * towards_x
+    pursuer[1] += ahead * towards_y
+    pursuer[2] = 0.0
     if ahead == distance:
         return 0.0, 0.0
     return rules.pursuer_speed * towards_x, rules.pursuer_speed * towards_y
@@ -152,26 +182,35 @@ def _place_and_aim(state: State, rules: Rules, goal_x: float, goal_y: float) -> 
 
 @compiled
 def _move_pursuer(
-    state: State,
-    rules: Rules,
-    elapsed: float,
-    captured: int,
-    aimed: bool,
-    velocity_x: float,
-    velocity_y: float,
+    state: State, elapsed: float, met: int, velocity_x: float, velocity_y: float
 ) -> None:
-    """Move the pursuer or let its disk grow; collapse the disk at a capture."""
-    disk = state.disk
-    if rules.hidden and captured == NOBODY:
+    """Move a pursuer that flies; without reach, to where it `met` its target, to the last bit."""
+    pursuer = state.pursuer
+    if met != NOBODY:
+        pursuer[0], pursuer[1] = position(state.paths, met, elapsed)
+    else:
+        pursuer[0] += velocity_x * elapsed
+        pursuer[1] += velocity_y * elapsed
+
+
+@compiled
+def _move_disk(state: State, rules: Rules, elapsed: float, captured: int) -> None:
+    """What the team knows: a place, if it sees it, or a disk that a capture makes collapse.
+
+    A pursuer that doesn't fly is that disk.
+    """
+    disk, pursuer = state.disk, state.pursuer
+    if not rules.hidden:
+        for k in range(3):
+            disk[k] = pursuer[k]
+    elif captured == NOBODY:
         disk[2] += rules.pursuer_speed * elapsed
-    elif rules.hidden:
+    else:
         disk[0], disk[1] = position(state.paths, captured, elapsed)
         disk[2] = rules.reach
-    elif captured != NOBODY and aimed and rules.reach == 0.0:
-        disk[0], disk[1] = position(state.paths, captured, elapsed)
-    else:
-        disk[0] += velocity_x * elapsed
-        disk[1] += velocity_y * elapsed
+    if not flies(rules):
+        for k in range(3):
+            pursuer[k] = disk[k]
 
 
 @compiled

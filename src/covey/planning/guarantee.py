@@ -49,6 +49,22 @@ def check_game(team: Team, disk: PursuerDisk) -> None:
         )
 
 
+def longest_game(team: Team, disk: PursuerDisk) -> float:
+    """By when a pursuer that keeps to any one sequence has captured everybody.
+
+    An evader that is d away is captured within d / (v_p - v), and until then the next one gets no
+    farther away than what both can fly.
+    """
+    offsets = team.positions - disk.center
+    farthest = float(np.hypot(offsets[:, 0], offsets[:, 1]).max()) + disk.radius
+    fastest = float(team.speeds.max())
+    time = 0.0
+    for _ in range(len(team)):
+        gap = 2.0 * farthest + (disk.speed + fastest) * time
+        time += gap / (disk.speed - fastest)
+    return time if time > 0.0 else math.inf
+
+
 def capture_times(
     team: Team, disk: PursuerDisk, turns: npt.ArrayLike, sequence: npt.ArrayLike
 ) -> Floats:

@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple, TypeGuard
-
-import numpy as np
 
 from covey.kernels import game
 from covey.kernels.search import search_scratch
 from covey.model import PursuerDisk, Team
 from covey.model.checks import Floats, Ints
 from covey.planning import plan
-from covey.planning.guarantee import check_game
-from covey.planning.open_loop import columns_of, start_noise
-from covey.players.evaders import IterativeOpenLoop, OpenLoop
-from covey.players.pursuers import CommittedPursuer, FixedSequence
+from covey.planning.guarantee import check_game, longest_game
+from covey.players.evaders import IterativeOpenLoop, OpenLoop, first_memory
+from covey.players.pursuers import CommittedPursuer, PatientPursuer
+from covey.players.sequences import BestSequence, FixedSequence, RandomSequence
 from covey.simulation import Settings
 from covey.simulation.settings import first_state
 
 BuiltInTeam = OpenLoop | IterativeOpenLoop
-BuiltInPursuer = CommittedPursuer | FixedSequence
+BuiltInPursuer = CommittedPursuer | PatientPursuer | FixedSequence | BestSequence | RandomSequence
 
 
 class Played(NamedTuple):
@@ -53,7 +50,7 @@ def checked_settings(
 ) -> Settings:
     """Return the settings of a game; raise InputError if it can't be played."""
     check_game(team, disk)
-    limit = _longest_game(team, disk) if time_limit is None else time_limit
+    limit = longest_game(team, disk) if time_limit is None else time_limit
     return Settings(sensing, update_time, seed, limit)
 
 
@@ -68,7 +65,7 @@ def play_compiled(
 ) -> Played:
     """Play a game; with `recorded`, write a page at every decision."""
     n, policy = len(team), evaders.compiled()
-    margin, sequence, known = pursuer.commitment(n)
+    margin, sequence, known = pursuer.commitment(team, disk, settings.seed)
     first = plan(team, disk, seed=settings.seed, starts=evaders.starts)
     state = first_state(team, disk)
     state.turns[:] = first.turns
@@ -76,8 +73,7 @@ def play_compiled(
         state,
         settings.rules(disk),
         policy,
-        start_noise(settings.seed, policy.restarts, n),
-        columns_of(first),
+        first_memory(first, settings.seed, policy.restarts),
         margin,
         sequence,
         known,
@@ -85,19 +81,3 @@ def play_compiled(
         search_scratch(n),
     )
     return Played(first.survival_time, order[:captured], times[:captured], pages, count)
-
-
-def _longest_game(team: Team, disk: PursuerDisk) -> float:
-    """By when a pursuer that keeps to any one sequence has captured everybody.
-
-    An evader that is d away is captured within d / (v_p - v), and until then the next one gets no
-    farther away than what both can fly.
-    """
-    offsets = team.positions - disk.center
-    farthest = float(np.hypot(offsets[:, 0], offsets[:, 1]).max()) + disk.radius
-    fastest = float(team.speeds.max())
-    time = 0.0
-    for _ in range(len(team)):
-        gap = 2.0 * farthest + (disk.speed + fastest) * time
-        time += gap / (disk.speed - fastest)
-    return time if time > 0.0 else math.inf

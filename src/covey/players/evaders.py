@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
 
-from covey.kernels import game
+from covey.kernels import policy
 from covey.kernels.columns import forget_captured
 from covey.kernels.replanning import replan
 from covey.kernels.search import search_scratch
 from covey.model.checks import Floats, whole_number
-from covey.planning import plan
+from covey.planning import Plan, plan
 from covey.planning.guarantee import pursuit_of
 from covey.planning.open_loop import (
     DEFAULT_STARTS,
@@ -23,6 +23,7 @@ from covey.planning.open_loop import (
     columns_of,
     start_noise,
 )
+from covey.players.pace import checked_replan_time, least_wait, paced
 from covey.simulation import Situation, TeamPolicy
 
 REPLAN_TOLERANCE = 1e-7
@@ -49,9 +50,9 @@ class OpenLoop:
         """Return name and parameters, as a scenario file gives them."""
         return {"name": "open-loop", "starts": self.starts}
 
-    def compiled(self) -> game.TeamPolicy:
+    def compiled(self) -> policy.TeamPolicy:
         """Return the policy of a compiled game."""
-        return game.TeamPolicy(False, 0, DEFAULT_TOLERANCE, MOST_STEPS)
+        return policy.TeamPolicy(False, 0.0, 0, DEFAULT_TOLERANCE, MOST_STEPS)
 
     def start(self, seed: int) -> TeamPolicy:
         """Return the policy of one game."""
@@ -69,7 +70,7 @@ class OpenLoop:
 
 @dataclass(frozen=True)
 class IterativeOpenLoop:
-    """Plan again at every update, from the present state: the paper's iOL.
+    """Plan again and again, from the present state: the paper's iOL (section IV.C).
 
     The plan that is flown is always the first start, so the team never survives less than its
     first plan guaranteed.
@@ -81,71 +82,91 @@ class IterativeOpenLoop:
     restarts
         Other starts that are followed when an evader has been captured, for then the game is a
         new one.
+    replan_time
+        Least time between two plans, >= 0; 0 plans at every update. A capture brings a new plan at
+        once.
     """
 
     starts: int = DEFAULT_STARTS
     restarts: int = 8
+    replan_time: float = 0.0
 
     def __post_init__(self) -> None:
         """Check the fields."""
         whole_number("IterativeOpenLoop.starts", self.starts, low=1)
         whole_number("IterativeOpenLoop.restarts", self.restarts, low=0)
+        checked_replan_time(self)
 
     def describe(self) -> Mapping[str, Any]:
         """Return name and parameters, as a scenario file gives them."""
-        return {"name": "iterative-open-loop", "starts": self.starts, "restarts": self.restarts}
+        return {"name": "iterative-open-loop", **asdict(self)}
 
-    def compiled(self) -> game.TeamPolicy:
+    def compiled(self) -> policy.TeamPolicy:
         """Return the policy of a compiled game."""
-        return game.TeamPolicy(True, self.restarts, REPLAN_TOLERANCE, MOST_STEPS)
+        wait = least_wait(self.replan_time)
+        return policy.TeamPolicy(True, wait, self.restarts, REPLAN_TOLERANCE, MOST_STEPS)
 
     def start(self, seed: int) -> TeamPolicy:
         """Return the policy of one game."""
-        return _Replanning(self, seed)
+        return paced(Replanning(self, seed), self.replan_time)
 
 
-class _Replanning:
-    """The memory of an iterative open-loop team: what it flew at the last update."""
+class Replanning:
+    """The policy of an iterative open-loop team in one game, and its memory.
 
-    def __init__(self, strategy: IterativeOpenLoop, seed: int) -> None:
-        self._strategy, self._seed = strategy, seed
+    Parameters
+    ----------
+    strategy, seed
+        Whose policy it is, and of which game.
+    same_game
+        Whether all situations are of one game that goes by the rules: then a plan loses no more
+        worth than time goes by, which spares work.
+    """
+
+    def __init__(self, strategy: IterativeOpenLoop, seed: int, *, same_game: bool = True) -> None:
+        self._strategy, self._seed, self._same_game = strategy, seed, same_game
         self._living: tuple[int, ...] = ()
-        self._time, self._worth = 0.0, -math.inf  # of the last plan
 
     def __call__(self, situation: Situation) -> Floats:
+        """Return the first plan, or the last one improved."""
         if not self._living:
             return self._begin(situation)
+        columns, noise, last = self._memory
         for i in self._living:
             if i not in situation.evaders:
-                forget_captured(self._columns, len(self._living), self._living.index(i))
+                forget_captured(columns, len(self._living), self._living.index(i))
                 self._living = tuple(j for j in self._living if j != i)
                 restarts = self._strategy.restarts
                 break
         else:
             restarts = 0
         turns = situation.turns.copy()
-        self._worth = replan(
+        worth = replan(
             situation.team.as_rows(),
             len(turns),
             pursuit_of(situation.disk),
-            self._noise,
+            noise,
             restarts,
             REPLAN_TOLERANCE,
             MOST_STEPS,
-            self._worth - (situation.time - self._time),
+            last[1] - (situation.time - last[0]),
             turns,
-            self._columns,
+            columns,
             self._scratch,
         )
-        self._time = situation.time
+        last[:] = situation.time, worth if self._same_game else -math.inf
         return turns
 
     def _begin(self, situation: Situation) -> Floats:
-        n = len(situation.team)
         first = plan(situation.team, situation.disk, seed=self._seed, starts=self._strategy.starts)
         self._living = situation.evaders
-        self._columns = columns_of(first)
-        self._noise = start_noise(self._seed, self._strategy.restarts, n)
-        self._scratch = search_scratch(n)
-        self._time = situation.time
+        self._memory = first_memory(first, self._seed, self._strategy.restarts)
+        self._memory.last[0] = situation.time
+        self._scratch = search_scratch(len(first.turns))
         return np.array(first.turns)
+
+
+def first_memory(first: Plan, seed: int, restarts: int) -> policy.TeamMemory:
+    """Return what a team remembers at time 0, with its first plan made."""
+    noise = start_noise(seed, restarts, len(first.turns))
+    return policy.TeamMemory(columns_of(first), noise, np.array([0.0, -math.inf]))

@@ -1,4 +1,4 @@
-"""Pursuers that follow a capture sequence (section V.B of the paper)."""
+"""Pursuers that follow the best capture sequence of the moment (section V.B of the paper)."""
 
 from __future__ import annotations
 
@@ -9,13 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from covey.kernels.ascent import ascent_scratch
-from covey.kernels.path import PATH, set_paths
-from covey.kernels.replanning import commit
-from covey.model import InputError
-from covey.model.checks import Ints, number
-from covey.planning.guarantee import pursuit_of
-from covey.simulation import Chase, PursuerPolicy, Situation
+from covey.model import InputError, PursuerDisk, Team
+from covey.model.checks import Floats, frozen_array, number
+from covey.players.commitment import Commitment, Committed
+from covey.simulation import PursuerPolicy
 
 
 @dataclass(frozen=True)
@@ -37,94 +34,87 @@ class CommittedPursuer:
 
     def __post_init__(self) -> None:
         """Check the field."""
-        if self.margin != math.inf:
-            number("CommittedPursuer.margin", self.margin, low=0.0)
+        _check_margin("CommittedPursuer", self.margin)
 
     def describe(self) -> Mapping[str, Any]:
         """Return name and parameters, as a scenario file gives them."""
         return {"name": "committed", "margin": self.margin}
 
-    def commitment(self, n: int) -> tuple[float, Ints, bool]:
-        """Return margin, sequence and whether it is known, for a compiled game of n evaders."""
-        return self.margin, np.empty(n, np.int64), False
+    def commitment(self, team: Team, disk: PursuerDisk, seed: int) -> Commitment:  # noqa: ARG002
+        """Return what a compiled game needs to know."""
+        return Commitment(self.margin, np.empty(len(team), np.int64), False)
 
     def start(self, seed: int) -> PursuerPolicy:  # noqa: ARG002 the protocol's signature
         """Return the policy of one game."""
-        return _Committed(self.margin, ())
+        return Committed(self.margin, ())
 
 
 @dataclass(frozen=True)
-class FixedSequence:
-    """Capture the evaders in a given order, whatever they do.
+class PatientPursuer:
+    """At every update, follow the best sequence of that moment, however little better it is.
+
+    It is patient with itself: the team's plan makes several sequences equally good, and whichever
+    is followed is worse at the next update, so it dithers and may never be done
+    (docs/decisions/0005). `CommittedPursuer` with a margin of 0.
+    """
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return the name, as a scenario file gives it."""
+        return {"name": "patient"}
+
+    def commitment(self, team: Team, disk: PursuerDisk, seed: int) -> Commitment:
+        """Return what a compiled game needs to know."""
+        return CommittedPursuer(0.0).commitment(team, disk, seed)
+
+    def start(self, seed: int) -> PursuerPolicy:
+        """Return the policy of one game."""
+        return CommittedPursuer(0.0).start(seed)
+
+
+@dataclass(frozen=True)
+class FlyingPursuer:
+    """A committed pursuer that really is somewhere in the disk, and flies, hidden or not.
+
+    The rules know a hidden pursuer as a disk only, which may change its mind for nothing and
+    captures from wherever in it suits best: what the team must reckon with. This one has a place,
+    of which a team that can't see it knows the disk alone. It plans from there, pays for each
+    change of mind, and captures whomever it comes within ρ of.
 
     Parameters
     ----------
-    sequence
-        Each evader's number once.
+    margin
+        As for `CommittedPursuer`.
+    offset
+        (2,) where it is at time 0: from the disk's centre, in radii of the disk, at most 1 long.
     """
 
-    sequence: tuple[int, ...]
+    margin: float = 0.01
+    offset: tuple[float, float] = (0.0, 0.0)
 
-    def __init__(self, sequence: Sequence[int]) -> None:
-        order = tuple(int(i) for i in sequence)
-        if sorted(order) != list(range(len(order))):
+    def __init__(self, margin: float = 0.01, offset: Sequence[float] = (0.0, 0.0)) -> None:
+        _check_margin("FlyingPursuer", margin)
+        x, y = frozen_array("FlyingPursuer.offset", offset, (2,)).tolist()
+        if math.hypot(x, y) > 1.0 + 1e-12:
             raise InputError(
-                f"FixedSequence: expected each evader 0..N-1 once, got {list(sequence)}"
+                f"FlyingPursuer.offset: expected a point at most 1 from the origin, got {[x, y]}"
             )
-        object.__setattr__(self, "sequence", order)
+        object.__setattr__(self, "margin", margin)
+        object.__setattr__(self, "offset", (x, y))
 
     def describe(self) -> Mapping[str, Any]:
         """Return name and parameters, as a scenario file gives them."""
-        return {"name": "fixed-sequence", "sequence": list(self.sequence)}
+        return {"name": "flying", "margin": self.margin, "offset": list(self.offset)}
 
-    def commitment(self, n: int) -> tuple[float, Ints, bool]:
-        """Return margin, sequence and whether it is known, for a compiled game of n evaders."""
-        self._require(n)
-        return math.inf, np.array(self.sequence, dtype=np.int64), True
+    def place(self, disk: PursuerDisk) -> Floats:
+        """Return where in the disk it is at time 0."""
+        place: Floats = disk.center + disk.radius * np.array(self.offset)
+        return place
 
-    def start(self, seed: int) -> PursuerPolicy:  # noqa: ARG002 the protocol's signature
+    def start(self, seed: int) -> PursuerPolicy:
         """Return the policy of one game."""
-        committed = _Committed(math.inf, self.sequence)
-        begun = False
-
-        def decide(situation: Situation) -> Chase:
-            nonlocal begun
-            if not begun:
-                self._require(len(situation.evaders))
-                begun = True
-            return committed(situation)
-
-        return decide
-
-    def _require(self, n: int) -> None:
-        if len(self.sequence) != n:
-            raise InputError(
-                f"FixedSequence: expected a sequence of all {n} evaders, got {list(self.sequence)}"
-            )
+        return CommittedPursuer(self.margin).start(seed)
 
 
-class _Committed:
-    """The sequence that a pursuer follows, by evader number; empty while it has none."""
-
-    def __init__(self, margin: float, sequence: tuple[int, ...]) -> None:
-        self._margin, self._sequence = margin, sequence
-
-    def __call__(self, situation: Situation) -> Chase:
-        n, living = len(situation.evaders), situation.evaders
-        followed = [living.index(i) for i in self._sequence if i in living]
-        sequence = np.array(followed if followed else [0] * n, dtype=np.int64)
-        paths = np.empty((n, PATH))
-        disk = situation.disk
-        set_paths(situation.team.as_rows(), situation.turns, disk.speed, paths)
-        commit(
-            paths,
-            n,
-            pursuit_of(disk),
-            self._margin,
-            bool(followed),
-            sequence,
-            np.empty(n),
-            ascent_scratch(n),
-        )
-        self._sequence = tuple(living[row] for row in sequence)
-        return Chase(self._sequence)
+def _check_margin(name: str, margin: float) -> None:
+    if margin != math.inf:
+        number(f"{name}.margin", margin, low=0.0)

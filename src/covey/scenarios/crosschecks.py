@@ -24,7 +24,8 @@ def crosschecks(document: Document) -> Iterator[Mistake]:
     yield from _speeds(document)
     yield from _headings(document)
     yield from _strategies(document)
-    yield from _sequence(document)
+    for table in ("pursuer", "team"):
+        yield from _sequence(document, table)
 
 
 def _team_size(document: Document) -> Iterator[Mistake]:
@@ -97,8 +98,8 @@ def _strategies(document: Document) -> Iterator[Mistake]:
             yield from strategy_mistakes((table, "strategy"), value, known)
 
 
-def _sequence(document: Document) -> Iterator[Mistake]:
-    place = ("pursuer", "strategy", "sequence")
+def _sequence(document: Document, table: str) -> Iterator[Mistake]:
+    place = (table, "strategy", "sequence")
     sequence = _look(document, *place)
     count = len(_evaders(document)) or as_whole(_look(document, "team", "random", "count"))
     if not count or not isinstance(sequence, list) or any(as_whole(i) is None for i in sequence):

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from covey.model import PursuerDisk, Team
-from covey.planning import Plan, plan
-from covey.players import (
-    CommittedPursuer,
-    FixedSequence,
-    IterativeOpenLoop,
-    OpenLoop,
-    simulate,
-)
-from covey.simulation import Game
+from covey.planning import Bracket, Plan, bracket, plan
+from covey.planning.open_loop import DEFAULT_STARTS
+from covey.players import IterativeOpenLoop, OpenLoop, WorstCase, simulate, worst_case
+from covey.simulation import Game, PursuerStrategy, TeamStrategy
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,16 +34,31 @@ class Scenario:
 
     team: Team
     disk: PursuerDisk
-    evaders: OpenLoop | IterativeOpenLoop
-    pursuer: CommittedPursuer | FixedSequence
+    evaders: TeamStrategy
+    pursuer: PursuerStrategy
     sensing: str
     update_time: float
     seed: int
     time_limit: float | None
 
     def plan(self) -> Plan:
-        """Return the plan with which the game begins."""
-        return plan(self.team, self.disk, seed=self.seed, starts=self.evaders.starts)
+        """Return the open-loop plan, with which a team that flies one begins the game."""
+        return plan(self.team, self.disk, seed=self.seed, starts=self._starts)
+
+    def bracket(self) -> Bracket:
+        """Return that plan, and what no team could be sure to exceed."""
+        return bracket(self.team, self.disk, seed=self.seed, starts=self._starts)
+
+    def worst_case(self, delays: Sequence[float] = (0.0,)) -> WorstCase:
+        """Return the least survival time of the team's strategy against a hidden pursuer."""
+        return worst_case(
+            self.team,
+            self.disk,
+            evaders=self.evaders,
+            delays=delays,
+            update_time=self.update_time,
+            seed=self.seed,
+        )
 
     def simulate(self) -> Game:
         """Play the game and return its record."""
@@ -61,3 +72,10 @@ class Scenario:
             seed=self.seed,
             time_limit=self.time_limit,
         )
+
+    @property
+    def _starts(self) -> int:
+        """Starts of the search for the plan, which strategies that fly none don't name."""
+        if isinstance(self.evaders, OpenLoop | IterativeOpenLoop):
+            return self.evaders.starts
+        return DEFAULT_STARTS

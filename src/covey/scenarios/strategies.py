@@ -7,7 +7,23 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import MISSING, dataclass, fields
 from typing import Any
 
-from covey.players import CommittedPursuer, FixedSequence, IterativeOpenLoop, OpenLoop
+from covey.players import (
+    BestSequence,
+    CommittedPursuer,
+    ConstantHeading,
+    FixedSequence,
+    FlyingPursuer,
+    HoldCourse,
+    IterativeOpenLoop,
+    KnownSequence,
+    LargestDistance,
+    NearestFirst,
+    OpenLoop,
+    PatientPursuer,
+    RandomSequence,
+    SmallestDanger,
+    StraightAway,
+)
 from covey.scenarios.mistakes import (
     Mistake,
     Place,
@@ -16,7 +32,7 @@ from covey.scenarios.mistakes import (
     unknown_key,
     wanted_but_got,
 )
-from covey.scenarios.values import Wanted, as_not_negative, as_whole
+from covey.scenarios.values import Wanted, as_not_negative, as_point, as_whole
 
 
 @dataclass(frozen=True)
@@ -41,23 +57,37 @@ def _sequence(value: object) -> list[int] | None:
     return None
 
 
-_STARTS = Wanted("a whole number >= 1", _starts)
+def _offset(value: object) -> tuple[float, float] | None:
+    point = as_point(value)
+    return point if point is not None and math.hypot(*point) <= 1.0 else None
+
+
+_STARTS = {"starts": Wanted("a whole number >= 1", _starts)}
+_RESTARTS = {"restarts": Wanted("a whole number >= 0", as_whole)}
+_REPLAN_TIME = {"replan_time": Wanted("a finite number >= 0", as_not_negative)}
+_MARGIN = {"margin": Wanted("a number >= 0 (inf is allowed)", _margin)}
+_OFFSET = {"offset": Wanted("a point [x, y] at most 1 from the origin", _offset)}
+_SEQUENCE = {"sequence": Wanted("a list of evaders' numbers", _sequence)}
 
 EVADERS = {
-    "open-loop": Entry(OpenLoop, {"starts": _STARTS}),
-    "iterative-open-loop": Entry(
-        IterativeOpenLoop,
-        {"starts": _STARTS, "restarts": Wanted("a whole number >= 0", as_whole)},
-    ),
+    "open-loop": Entry(OpenLoop, _STARTS),
+    "iterative-open-loop": Entry(IterativeOpenLoop, _STARTS | _RESTARTS | _REPLAN_TIME),
+    "constant-heading": Entry(ConstantHeading, _STARTS | _RESTARTS | _REPLAN_TIME),
+    "straight-away": Entry(StraightAway, _REPLAN_TIME),
+    "hold-course": Entry(HoldCourse, {}),
+    "known-sequence": Entry(KnownSequence, _SEQUENCE | _REPLAN_TIME),
+    "largest-distance": Entry(LargestDistance, _REPLAN_TIME),
+    "smallest-danger": Entry(SmallestDanger, _REPLAN_TIME),
 }
 
 PURSUERS = {
-    "committed": Entry(
-        CommittedPursuer, {"margin": Wanted("a number >= 0 (inf is allowed)", _margin)}
-    ),
-    "fixed-sequence": Entry(
-        FixedSequence, {"sequence": Wanted("a list of evaders' numbers", _sequence)}
-    ),
+    "committed": Entry(CommittedPursuer, _MARGIN),
+    "flying": Entry(FlyingPursuer, _MARGIN | _OFFSET),
+    "patient": Entry(PatientPursuer, {}),
+    "fixed-sequence": Entry(FixedSequence, _SEQUENCE),
+    "best-sequence": Entry(BestSequence, {}),
+    "random-sequence": Entry(RandomSequence, {}),
+    "nearest-first": Entry(NearestFirst, {}),
 }
 
 

@@ -24,8 +24,13 @@ def assemble(
     times: Floats,
     pages: Pages,
     count: int,
+    *,
+    placed: bool = False,
 ) -> Game:
-    """Return the record; `order` and `times` hold the captures, `pages` `count` rows."""
+    """Return the record; `order` and `times` hold the captures, `pages` `count` rows.
+
+    The pages tell where a visible pursuer was, and one that was `placed`.
+    """
     pages = Pages(
         pages.times[:count],
         pages.guarantees[:count],
@@ -35,9 +40,8 @@ def assemble(
         pages.intended[:count],
     )
     done = len(order) == len(team)
-    hidden = settings.sensing == "hidden"
     pursuer = pages.pursuers[:, :2]
-    if hidden:
+    if settings.sensing == "hidden" and not placed:
         pursuer = _explaining_flight(disk, order, times, pages)
     return Game(
         team=team,

@@ -59,8 +59,8 @@ class Game:
         (T, N) the order in which the plan flown would be captured earliest, and the order that the
         pursuer has in mind, as far as its strategy tells; filled up with -1.
     pursuer_positions : numpy.ndarray
-        (T, 2). Against a hidden pursuer, which the rules know as a disk only, a straight flight
-        that explains each capture.
+        (T, 2). Against a hidden pursuer that the rules know as a disk only, a straight flight that
+        explains each capture.
     disk_centers, disk_radii : numpy.ndarray
         (T, 2) and (T,): where the pursuer can be, for all that the team knows.
     """

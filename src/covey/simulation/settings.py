@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
+
 from covey.kernels.rules import Rules, State, initial_state
 from covey.model import PursuerDisk, Team
-from covey.model.checks import choice, number, whole_number
+from covey.model.checks import Floats, choice, number, whole_number
 
 SENSING = ("hidden", "visible")
 
@@ -46,18 +48,20 @@ class Settings:
         if self.time_limit != math.inf:
             number("time_limit", self.time_limit, low=0.0, strictly=True)
 
-    def rules(self, disk: PursuerDisk) -> Rules:
-        """Return the rules as the kernels see them."""
+    def rules(self, disk: PursuerDisk, *, placed: bool = False) -> Rules:
+        """Return the rules as the kernels see them; `placed` where the pursuer brings a place."""
         return Rules(
             disk.speed,
             disk.capture_radius,
             self.sensing == "hidden",
             float(self.update_time),
             float(self.time_limit),
+            placed,
         )
 
 
-def first_state(team: Team, disk: PursuerDisk) -> State:
-    """Return the state of a game at time 0."""
+def first_state(team: Team, disk: PursuerDisk, place: Floats | None = None) -> State:
+    """Return the state of a game at time 0; `place` (2,) is that of a pursuer that has one."""
     x, y = disk.center.tolist()
-    return initial_state(team.as_rows(), x, y, disk.radius)
+    state = initial_state(team.as_rows(), x, y, disk.radius)
+    return state if place is None else state._replace(pursuer=np.array([*place, 0.0]))

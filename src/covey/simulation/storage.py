@@ -58,6 +58,12 @@ def save_game(game: Game, path: str | os.PathLike[str]) -> None:
     Any reader of Parquet files finds the columns:
     `pandas.read_parquet("game.parquet").plot("evader_0_x", "evader_0_y")` draws a path.
     """
+    with whole_file(path) as file:
+        write_game(game, file)
+
+
+def write_game(game: Game, file: BinaryIO) -> None:
+    """Write what `save_game` saves to a file that is open, or a buffer."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
@@ -69,15 +75,14 @@ def save_game(game: Game, path: str | os.PathLike[str]) -> None:
     header = _header(game)
     table = pa.table(columns)
     notes = {_KEY: header, _CHECKSUM_KEY: _checksum(header, table)}
-    with whole_file(path) as file:
-        # Neighbouring floats share their high bytes, which a split by byte lays side by side.
-        pq.write_table(
-            table.replace_schema_metadata(notes),
-            file,
-            compression="zstd",
-            use_dictionary=False,
-            use_byte_stream_split=True,
-        )
+    # Neighbouring floats share their high bytes, which a split by byte lays side by side.
+    pq.write_table(
+        table.replace_schema_metadata(notes),
+        file,
+        compression="zstd",
+        use_dictionary=False,
+        use_byte_stream_split=True,
+    )
 
 
 def load_game(path: str | os.PathLike[str]) -> Game:
@@ -104,14 +109,22 @@ def load_game(path: str | os.PathLike[str]) -> Game:
         content = place.read_bytes()
     except OSError as error:
         raise InputError(f"{place}: can't be read: {error.strerror}") from error
+    return read_game(content, str(place))
+
+
+def read_game(content: bytes, name: str) -> Game:
+    """Return the record in the bytes of a file that `save_game` wrote, or raise InputError.
+
+    `name` is what the errors call it.
+    """
     if not content.startswith(_PARQUET_BEGINS):
-        raise InputError(f"{place}: expected the record of a game, got a file that isn't Parquet")
+        raise InputError(f"{name}: expected the record of a game, got a file that isn't Parquet")
     try:
         return _game(*_read(content))
     except _NotARecordError as error:
-        raise InputError(f"{place}: {error}") from None
+        raise InputError(f"{name}: {error}") from None
     except Exception as error:  # whatever a damaged file makes of its readers
-        raise InputError(f"{place}: the record is damaged or cut off; simulate anew") from error
+        raise InputError(f"{name}: the record is damaged or cut off; simulate anew") from error
 
 
 def is_parquet(path: str | os.PathLike[str]) -> bool:

@@ -11,10 +11,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+import numpy as np
 import numpy.typing as npt
 
 from covey.model import InputError, PursuerDisk, Team
-from covey.model.checks import Floats
+from covey.model.checks import Floats, frozen_array
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +36,8 @@ class Situation:
     turns : numpy.ndarray
         (n,) signed turns still to be flown of the plan announced last. For the team, it is the one
         flown until now; for the pursuer, the one just announced.
+    place : numpy.ndarray or None
+        (2,) where the pursuer is. None for the team, and for a pursuer that is a disk only.
     """
 
     time: float
@@ -42,6 +45,14 @@ class Situation:
     team: Team
     disk: PursuerDisk
     turns: Floats
+    place: Floats | None = None
+
+    @property
+    def pursuer(self) -> PursuerDisk:
+        """Where the pursuer can be, for all that this player knows."""
+        if self.place is None:
+            return self.disk
+        return PursuerDisk(self.place, 0.0, self.disk.speed, self.disk.capture_radius)
 
 
 @dataclass(frozen=True)
@@ -59,7 +70,7 @@ class Chase:
 
 @dataclass(frozen=True)
 class Fly:
-    """A visible pursuer flies this velocity; a hidden one, which has no place, can only wait.
+    """A pursuer that has a place flies this velocity; one that is a disk only can but wait.
 
     Attributes
     ----------
@@ -85,7 +96,11 @@ class TeamStrategy(Protocol):
 
 
 class PursuerStrategy(Protocol):
-    """A strategy of the pursuer."""
+    """A strategy of the pursuer.
+
+    If it has a method `place(disk)` as well, the pursuer really is somewhere in the disk: at the
+    point (2,) that the method returns for the disk at time 0. From there it flies, hidden or not.
+    """
 
     def start(self, seed: int) -> PursuerPolicy:
         """Return the policy of one game."""
@@ -99,6 +114,28 @@ def description(strategy: object) -> Mapping[str, Any]:
         described: Mapping[str, Any] = describe()
         return described
     return {"name": getattr(strategy, "__name__", type(strategy).__name__)}
+
+
+def place_of(strategy: object, disk: PursuerDisk) -> Floats | None:
+    """Return where a pursuer is at time 0, or None if its strategy leaves that open.
+
+    Raises
+    ------
+    InputError
+        If it isn't in the disk.
+    """
+    choose = getattr(strategy, "place", None)
+    if choose is None:
+        return None
+    place = frozen_array("place returned by the pursuer's strategy", choose(disk), (2,))
+    distance = float(np.hypot(*(place - disk.center)))
+    rounding = 1e-12 * (disk.radius + float(np.abs(disk.center).max()))
+    if distance > disk.radius + rounding:
+        raise InputError(
+            f"place returned by the pursuer's strategy: expected a point of the disk of radius "
+            f"{disk.radius:g}, got one {distance:g} from its centre"
+        )
+    return place
 
 
 def policy_of(role: str, strategy: object, seed: int) -> Callable[[Situation], Any]:

@@ -3,11 +3,11 @@
 Tables go to a folder, part by part, so nothing is lost when a run is stopped.
 """
 
+from covey.scenarios.starts import Disk, Formation, Square
 from covey.studies.repeated import AsVisible
 from covey.studies.results import StudyResult, load_study
 from covey.studies.run import run_study
 from covey.studies.startfile import FromFile
-from covey.studies.starts import Disk, Formation, Square
 from covey.studies.study import Study
 from covey.studies.studyfile import example_names, example_path, read_study
 from covey.studies.summary import Line, summary

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from covey.kernels.subsets import MOST_EVADERS
 from covey.model import InputError
 from covey.scenarios.mistakes import Mistake, Place, wanted_but_got
+from covey.scenarios.starts import HEADINGS, SHAPES, Disk, Formation, Square
 from covey.scenarios.strategies import (
     EVADERS,
     PURSUERS,
@@ -28,7 +29,6 @@ from covey.scenarios.values import (
 from covey.simulation.settings import SENSING
 from covey.studies.repeated import AsVisible
 from covey.studies.startfile import FromFile
-from covey.studies.starts import HEADINGS, SHAPES, Disk, Formation, Square
 
 Read = tuple[Any, list[Mistake]]
 """A value, and the mistakes that were made in giving it."""

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import product
 from typing import Any
 
-from covey.players import FixedSequence
+from covey.players import FixedSequence, KnownSequence
 from covey.scenarios.mistakes import Mistake
 from covey.studies.startfile import FromFile
 
@@ -24,15 +25,15 @@ def misfits(values: Mapping[str, Any]) -> Iterator[Mistake]:
 
 
 def _sequences(values: Mapping[str, Any]) -> Iterator[Mistake]:
-    for index, pursuer in enumerate(values["pursuer"]):
-        if isinstance(pursuer, FixedSequence):
-            for size in values["team_size"]:
-                if len(pursuer.sequence) != size:
-                    text = (
-                        f"expected a sequence of all {size} evaders of a team, got "
-                        f"{list(pursuer.sequence)}; a study of several team sizes has no common one"
-                    )
-                    yield Mistake(("pursuer", index, "sequence"), text)
+    for side, size in product(("pursuer", "evaders"), values["team_size"]):
+        for index, strategy in enumerate(values[side]):
+            known = isinstance(strategy, FixedSequence | KnownSequence)
+            if known and strategy.sequence is not None and len(strategy.sequence) != size:
+                text = (
+                    f"expected a sequence of all {size} evaders of a team, got "
+                    f"{list(strategy.sequence)}; a study of several team sizes has no common one"
+                )
+                yield Mistake((side, index, "sequence"), text)
 
 
 def _files(values: Mapping[str, Any]) -> Iterator[Mistake]:

@@ -12,7 +12,7 @@ import numpy as np
 
 from covey.model import InputError
 from covey.model.checks import Floats
-from covey.studies.starts import away
+from covey.scenarios.starts import away
 
 
 @dataclass(frozen=True, eq=False)

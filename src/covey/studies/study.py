@@ -14,13 +14,13 @@ import numpy as np
 from covey.model import PursuerDisk, Team
 from covey.model.checks import InputError
 from covey.players import CommittedPursuer, IterativeOpenLoop
+from covey.scenarios.starts import Sampler, Square
 from covey.simulation import PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStrategy
 from covey.simulation.strategy import description
 from covey.studies.kinds import FIELDS
 from covey.studies.misfits import misfits
 from covey.studies.repeated import AsVisible
 from covey.studies.startfile import FromFile
-from covey.studies.starts import Sampler, Square
 
 AnyTeam = TeamStrategy | TeamPolicy
 AnyPursuer = PursuerStrategy | PursuerPolicy | AsVisible

@@ -17,9 +17,6 @@ from covey.views.style import styled
 
 _SIDE = 2.0
 _HEADROOM = 0.22
-# Shades of one blue, from few evaders to many, each with its own mark for those who print in grey.
-_SHADES = ("#9ecae1", "#5aa2cf", "#2171b5", "#08306b")
-_MARKS = ("o", "s", "^", "D")
 
 
 class Curve(NamedTuple):
@@ -85,13 +82,13 @@ def _top(panels: Mapping[str, Mapping[int, Curve]]) -> float:
 
 def _draw_panel(axes: Axes, turn_rates: Sequence[float], curves: Mapping[int, Curve]) -> None:
     for k, (size, curve) in enumerate(curves.items()):
-        color = _SHADES[k % len(_SHADES)]
+        color = style.TEAM_SHADES[k % len(style.TEAM_SHADES)]
         axes.errorbar(
             turn_rates,
             curve.ratios,
             yerr=curve.errors,
             color=color,
-            marker=_MARKS[k % len(_MARKS)],
+            marker=style.TEAM_MARKS[k % len(style.TEAM_MARKS)],
             markersize=0.8 * style.EVADER_SIZE,
             markeredgewidth=0.0,
             linewidth=style.EVADER_LINE,

@@ -26,6 +26,10 @@ PURSUER = INK
 DISK = "#dadada"
 DISK_EDGE = "#9a9a9a"
 
+# Shades of one blue, from few evaders to many, each with its own mark for those who print in grey.
+TEAM_SHADES = ("#9ecae1", "#5aa2cf", "#2171b5", "#08306b")
+TEAM_MARKS = ("o", "s", "^", "D")
+
 EVADER_LINE = 1.5
 PURSUER_LINE = 0.7
 THIN_LINE = 0.6

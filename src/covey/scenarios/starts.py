@@ -1,4 +1,4 @@
-"""Where the evaders of a study start: samplers, each a value that draws one start after another.
+"""Where evaders start: samplers, each a value that draws one start after another.
 
 The pursuer's disk is centred at the origin. A sampler gets the random stream of one start and
 nothing else, so a start doesn't depend on which others are drawn, in what order, or by whom.

@@ -1,0 +1,163 @@
+"""Which game an environment plays: its players, its rules, and where they start."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from covey.kernels.rules import Rules, State
+from covey.model import InputError, PursuerDisk, Team
+from covey.model.checks import Floats, choice, frozen_array, number, whole_number
+from covey.planning.guarantee import check_game
+from covey.players import IterativeOpenLoop
+from covey.simulation import Settings
+from covey.simulation.settings import first_state
+
+HEADINGS = ("away", "random")
+
+STARTS = 8
+"""Starts of the search for what a game guarantees; 32 find 0.02 % more for N = 3, 0.5 % for 5."""
+
+TEAM = IterativeOpenLoop(starts=STARTS, restarts=2)
+"""The team that is played against: it survives as long as with all starts, within 0.2 %."""
+
+
+class Start(NamedTuple):
+    """Where a game starts."""
+
+    positions: Floats  # (N, 2)
+    headings: Floats  # (N,)
+    pursuer: Floats  # (2,)
+
+
+@dataclass(frozen=True, eq=False)
+class Setup:
+    """The game that an environment plays. Lengths and times are in any consistent unit.
+
+    Parameters
+    ----------
+    team_size
+        Evaders, 1 to 18.
+    speed, turn_rate
+        Of every evader, or one for each. A turn rate of inf turns at once.
+    pursuer_speed
+        Larger than every evader's.
+    capture_radius
+        ρ > 0: a pursuer that is a point in a plane would never meet anybody.
+    disk_radius
+        The pursuer starts anywhere in a disk of this radius around the origin.
+    sensing
+        "visible", or "hidden": the evaders see the disk that the pursuer must be in, and no more.
+    update_time
+        Δt > 0, the time of a step that brings no capture.
+    time_limit
+        A game that lasts as long is truncated.
+    side
+        Evaders start uniformly in a square of this side around the origin.
+    headings
+        At the start: "away" from the origin, or "random".
+
+    Raises
+    ------
+    InputError
+        If one of them can't be used.
+    """
+
+    team_size: int = 3
+    speed: npt.ArrayLike = 0.25
+    turn_rate: npt.ArrayLike = math.pi / 2
+    pursuer_speed: float = 1.0
+    capture_radius: float = 0.02
+    disk_radius: float = 0.0
+    sensing: str = "visible"
+    update_time: float = 0.05
+    time_limit: float = 20.0
+    side: float = 1.0
+    headings: str = "away"
+
+    def __post_init__(self) -> None:
+        """Check every field."""
+        whole_number("team_size", self.team_size, low=1)
+        number("capture_radius", self.capture_radius, low=0.0, strictly=True)
+        number("time_limit", self.time_limit, low=0.0, strictly=True)
+        number("side", self.side, low=0.0, strictly=True)
+        choice("headings", self.headings, HEADINGS)
+        Settings(self.sensing, self.update_time, 0, self.time_limit)
+        check_game(self._anywhere, self.disk_around(np.zeros(2), self.disk_radius))
+
+    @cached_property
+    def rules(self) -> Rules:
+        """The rules as the kernels see them: the pursuer has a place, also where it is hidden."""
+        settings = Settings(self.sensing, self.update_time, 0, self.time_limit)
+        return settings.rules(self.disk_around(np.zeros(2), 0.0), placed=True)
+
+    @cached_property
+    def largest_turns(self) -> Floats:
+        """(N,) largest turn of each evader in a step, radians: min(ω Δt, π)."""
+        return np.minimum(self._anywhere.turn_rates * self.update_time, math.pi)
+
+    @cached_property
+    def fastest(self) -> float:
+        """Speed of the fastest evader."""
+        return float(self._anywhere.speeds.max())
+
+    def team(self, start: Start) -> Team:
+        """Return the team at the start of a game."""
+        return Team(start.positions, start.headings, self.speed, self.turn_rate)
+
+    def first_state(self, start: Start) -> State:
+        """Return the state at the start of a game, nothing announced."""
+        return first_state(self.team(start), self.known_at_start(start), start.pursuer)
+
+    def disk_around(self, center: Floats, radius: float) -> PursuerDisk:
+        """Return a disk that the pursuer is in."""
+        return PursuerDisk(center, radius, self.pursuer_speed, self.capture_radius)
+
+    def known_at_start(self, start: Start) -> PursuerDisk:
+        """Return what the team knows of the pursuer at the start."""
+        if self.rules.hidden:
+            return self.disk_around(np.zeros(2), self.disk_radius)
+        return self.disk_around(start.pursuer, 0.0)
+
+    def draw(self, generator: np.random.Generator, options: Mapping[str, Any] | None) -> Start:
+        """Draw a start; `options` may give its "positions" and "headings" instead.
+
+        Raises
+        ------
+        InputError
+            If a position given is outside of the square, or headings come without positions.
+        """
+        half, count = 0.5 * self.side, self.team_size
+        positions = generator.uniform(-half, half, (count, 2))
+        headings = generator.uniform(-math.pi, math.pi, count)
+        # The root makes rings of equal area equally likely.
+        distance = self.disk_radius * math.sqrt(generator.uniform())
+        bearing = generator.uniform(-math.pi, math.pi)
+        pursuer = distance * np.array([math.cos(bearing), math.sin(bearing)])
+        given = options or {}
+        if "positions" in given:
+            positions = frozen_array("positions", given["positions"], (count, 2))
+            if np.abs(positions).max() > half:
+                raise InputError(
+                    f"positions: expected evaders in a square of side {self.side:g} around the "
+                    f"origin, got {positions.tolist()}; give the environment a larger `side`"
+                )
+        if self.headings == "away":
+            headings = np.arctan2(positions[:, 1], positions[:, 0])
+        if "headings" in given:
+            if "positions" not in given:
+                raise InputError("headings: expected positions with them, got headings alone")
+            headings = frozen_array("headings", given["headings"], (count,))
+        return Start(positions, headings, pursuer)
+
+    @cached_property
+    def _anywhere(self) -> Team:
+        """The team, to check and broadcast what its members can."""
+        count = self.team_size
+        return Team(np.zeros((count, 2)), np.zeros(count), self.speed, self.turn_rate)

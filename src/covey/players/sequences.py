@@ -1,0 +1,98 @@
+"""Pursuers that fix the order of capture at the start of a game, and keep to it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from covey.model import InputError, PursuerDisk, Team
+from covey.model.checks import Ints
+from covey.planning.announcement import best_announcement
+from covey.players.commitment import KeepsSequence
+
+
+def checked_sequence(name: str, sequence: Sequence[int]) -> tuple[int, ...]:
+    """Return a sequence that holds each of 0..N-1 once; else raise InputError."""
+    order = tuple(int(i) for i in sequence)
+    if sorted(order) != list(range(len(order))):
+        raise InputError(f"{name}: expected each evader 0..N-1 once, got {list(sequence)}")
+    return order
+
+
+def require_whole_team(name: str, sequence: tuple[int, ...], count: int) -> None:
+    """Raise InputError unless the sequence is one of `count` evaders."""
+    if len(sequence) != count:
+        raise InputError(
+            f"{name}: expected a sequence of all {count} evaders, got {list(sequence)}"
+        )
+
+
+@dataclass(frozen=True)
+class FixedSequence(KeepsSequence):
+    """Capture the evaders in a given order, whatever they do.
+
+    Parameters
+    ----------
+    sequence
+        Each evader's number once.
+    """
+
+    sequence: tuple[int, ...]
+
+    def __init__(self, sequence: Sequence[int]) -> None:
+        object.__setattr__(self, "sequence", checked_sequence("FixedSequence", sequence))
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return name and parameters, as a scenario file gives them."""
+        return {"name": "fixed-sequence", "sequence": list(self.sequence)}
+
+    def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:  # noqa: ARG002
+        """Return the sequence given, if it is one of this team."""
+        require_whole_team("FixedSequence", self.sequence, len(team))
+        return np.array(self.sequence, dtype=np.int64)
+
+
+@dataclass(frozen=True)
+class BestSequence(KeepsSequence):
+    """Capture the evaders in the order with the best guaranteed capture time, whatever they do.
+
+    For each sequence a team that knows it can survive for some longest time; this is the sequence
+    for which that is least, which the references give to the pursuer (the paper's [7] and [8]). No
+    team that turns at once survives longer, whatever it does. One that can't may draw the game out
+    a little, by turns that it announces and doesn't fly.
+
+    Notes
+    -----
+    The sequences are compared on a grid of headings and the best few exactly. Up to five evaders
+    all are; with more, those that a beam search comes to.
+
+    References
+    ----------
+    See `KnownSequence`, the team that flies against it.
+    """
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return the name, as a scenario file gives it."""
+        return {"name": "best-sequence"}
+
+    def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:  # noqa: ARG002
+        """Return the order that the team could delay least if it knew it."""
+        return np.array(best_announcement(team, disk, ()).sequence, dtype=np.int64)
+
+
+@dataclass(frozen=True)
+class RandomSequence(KeepsSequence):
+    """Capture the evaders in an order that is drawn from the game's seed, whatever they do."""
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return the name, as a scenario file gives it."""
+        return {"name": "random-sequence"}
+
+    def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:  # noqa: ARG002
+        """Return the order that was drawn."""
+        # Not the stream that the starts of the searches come from.
+        generator = np.random.default_rng([seed, 1])
+        return generator.permutation(len(team))

@@ -1,0 +1,226 @@
+"""The worst that a hidden pursuer can do to a team's strategy: a search of the tree of captures."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Sequence
+from copy import deepcopy
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from typing import NamedTuple
+
+from covey.kernels.policy import TeamMemory
+from covey.kernels.rules import State
+from covey.kernels.search import search_scratch
+from covey.kernels.to_capture import play_to_capture, promise
+from covey.model import InputError, PursuerDisk, Team
+from covey.model.checks import number
+from covey.planning import plan
+from covey.players.compiled import BuiltInTeam, checked_settings, team_is_built_in
+from covey.players.delayed import DelayedSequence
+from covey.players.evaders import IterativeOpenLoop, first_memory
+from covey.simulation import Settings, TeamPolicy, TeamStrategy, play
+from covey.simulation.settings import first_state
+
+_PROMISE_KEPT = 1e-9
+"""By how much, relative, rounding may bring a team below what its plan guaranteed."""
+
+
+class WorstCaseScope(StrEnum):
+    """Over which hidden pursuers a worst case was taken."""
+
+    PROMPT = "all capture sequences, each capture as soon as the disk reaches the evader"
+    DELAYED = "all capture sequences, each capture after each of the delays"
+
+
+@dataclass(frozen=True)
+class WorstCase:
+    """The least survival time of a team's strategy against a hidden pursuer.
+
+    Attributes
+    ----------
+    survival_time : float
+        Time of the last capture.
+    sequence : tuple of int
+        The order of capture that leads to it.
+    capture_times : tuple of float
+        (N,) in the order of `sequence`.
+    delays : tuple of float
+        (N,) how long each capture waited, in the order of `sequence`.
+    scope : WorstCaseScope
+        Which pursuers were looked at. One that waits for other times, or decides about its delays
+        by what it sees of the evaders, may do a little better still.
+    flights : int
+        Flights from one capture to the next that were played.
+    """
+
+    survival_time: float
+    sequence: tuple[int, ...]
+    capture_times: tuple[float, ...]
+    delays: tuple[float, ...]
+    scope: WorstCaseScope
+    flights: int
+
+
+class Capture(NamedTuple):
+    """Who was captured, when, and how long after it could have been."""
+
+    evader: int
+    time: float
+    delay: float
+
+
+def worst_case(
+    team: Team,
+    disk: PursuerDisk,
+    *,
+    evaders: TeamStrategy | TeamPolicy = IterativeOpenLoop(),  # noqa: B008 frozen
+    delays: Sequence[float] = (0.0,),
+    update_time: float = 0.01,
+    seed: int = 0,
+) -> WorstCase:
+    """Find the capture sequence by which a hidden pursuer ends a team's survival earliest.
+
+    What a team that doesn't see the pursuer does depends on the captures alone, so the worst case
+    is the least over a tree: who is captured first, who then, ....
+
+    Parameters
+    ----------
+    team, disk
+        The state at time 0; up to 18 evaders, each slower than the pursuer.
+    evaders
+        The team's strategy, as `simulate` takes it.
+    delays
+        Each capture may wait so long after the disk has reached the evader, times >= 0; see
+        `covey.players.DelayedSequence`. By default it doesn't wait, as in the paper.
+    update_time, seed
+        As `simulate` takes them.
+
+    Returns
+    -------
+    WorstCase
+        The least survival time, exact over the pursuers that `scope` names; equal to that of
+        `simulate` with its sequence and delays.
+
+    Raises
+    ------
+    InputError
+        If an argument can't be used.
+
+    Notes
+    -----
+    Open loop and iterative open loop play each beginning of a sequence once, and a beginning whose
+    team has planned to survive longer than the least time found is dropped: neither ever falls
+    short of its plan. Any other strategy may remember anything, so it plays every
+    sequence from the start: N! games, times the delays. It must play the same game when it is
+    started anew with the same seed.
+    """
+    checked = checked_settings(team, disk, "hidden", update_time, seed, None)
+    settings = replace(checked, time_limit=math.inf)  # captures that wait may come after it
+    waits = tuple(dict.fromkeys(number("delays", delay, low=0.0) for delay in delays))
+    if not waits:
+        raise InputError("delays: expected at least one, got none")
+    if team_is_built_in(evaders):
+        tree = _Tree(team, disk, evaders, waits, settings)
+        tree.explore()
+        worst, flights = tree.worst, tree.flights
+    else:
+        games = [*_all_games(team, disk, evaders, waits, settings)]
+        worst = min(games, key=lambda captures: captures[-1].time)
+        flights = len(games) * len(team)
+    return WorstCase(
+        survival_time=worst[-1].time,
+        sequence=tuple(capture.evader for capture in worst),
+        capture_times=tuple(capture.time for capture in worst),
+        delays=tuple(capture.delay for capture in worst),
+        scope=WorstCaseScope.DELAYED if any(waits) else WorstCaseScope.PROMPT,
+        flights=flights,
+    )
+
+
+class _Node(NamedTuple):
+    """A game after its first captures."""
+
+    captures: tuple[Capture, ...]
+    state: State
+    memory: TeamMemory
+    promised: float  # no game that goes on from here ends earlier
+
+
+class _Tree:
+    """Depth first, the smallest promise first; `worst` is the game that ended earliest so far."""
+
+    def __init__(
+        self,
+        team: Team,
+        disk: PursuerDisk,
+        strategy: BuiltInTeam,
+        delays: tuple[float, ...],
+        settings: Settings,
+    ) -> None:
+        n = len(team)
+        self._rules, self._policy = settings.rules(disk), strategy.compiled()
+        self._delays, self._scratch = delays, search_scratch(n)
+        first = plan(team, disk, seed=settings.seed, starts=strategy.starts)
+        state = first_state(team, disk)
+        state.turns[:] = first.turns
+        memory = first_memory(first, settings.seed, self._policy.restarts)
+        self._root = _Node((), state, memory, first.survival_time)
+        self.worst: tuple[Capture, ...] = ()
+        self.flights = 0
+
+    def explore(self) -> None:
+        """Find the worst game."""
+        self._explore(self._root)
+
+    def _explore(self, node: _Node) -> None:
+        if node.state.alive[0] == 0:
+            if not self.worst or node.captures[-1].time < self.worst[-1].time:
+                self.worst = node.captures
+            return
+        for child in sorted(self._children(node), key=lambda child: child.promised):
+            if not self.worst or child.promised * (1.0 - _PROMISE_KEPT) < self.worst[-1].time:
+                self._explore(child)
+
+    def _children(self, node: _Node) -> Iterator[_Node]:
+        for row, delay in itertools.product(range(int(node.state.alive[0])), self._delays):
+            state, memory = deepcopy(node.state), deepcopy(node.memory)
+            taken = int(state.ids[row])
+            if not play_to_capture(
+                state,
+                self._rules,
+                self._policy,
+                memory,
+                row,
+                delay,
+                self._scratch,
+            ):
+                raise _too_many_updates(self._rules.update_time)
+            self.flights += 1
+            capture = Capture(taken, float(state.time[0]), delay)
+            promised = promise(state, self._rules, self._scratch)
+            yield _Node((*node.captures, capture), state, memory, promised)
+
+
+def _all_games(
+    team: Team,
+    disk: PursuerDisk,
+    evaders: TeamStrategy | TeamPolicy,
+    delays: tuple[float, ...],
+    settings: Settings,
+) -> Iterator[tuple[Capture, ...]]:
+    """Play every sequence with all delays, from the start."""
+    n = len(team)
+    for sequence in itertools.permutations(range(n)):
+        for waits in itertools.product(delays, repeat=n):
+            game = play(team, disk, evaders, DelayedSequence(sequence, waits), settings)
+            if math.isinf(game.survival_time):
+                raise _too_many_updates(settings.update_time)
+            yield tuple(map(Capture, sequence, game.capture_times.tolist(), waits))
+
+
+def _too_many_updates(update_time: float) -> InputError:
+    return InputError(
+        f"update_time: expected a longer one, got {update_time:g}: a game took too long"
+    )

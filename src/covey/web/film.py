@@ -1,0 +1,93 @@
+"""A game as the page draws it: one picture a row of the record, in what JSON can say."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from covey.model import PursuerDisk, Team
+from covey.planning import capture_times
+from covey.simulation import Game
+
+MOST_PICTURES = 1500
+"""Of a film: with more, a page would be slow to load it and no smoother."""
+
+_KEEPS_GUARANTEE = {"open-loop", "iterative-open-loop"}
+"""Teams that never fall short of what their first plan is worth."""
+
+Json = dict[str, Any]
+
+
+def cast(game: Game) -> Json:
+    """Return what stays the same during a game."""
+    names = {side: str(each.get("name", "")) for side, each in game.strategies.items()}
+    return {
+        "evaders": len(game.team),
+        "speeds": game.team.speeds.tolist(),
+        # None: it turns at once.
+        "turn_rates": [rate if math.isfinite(rate) else None for rate in game.team.turn_rates],
+        "pursuer_speed": game.disk.speed,
+        "capture_radius": game.disk.capture_radius,
+        "sensing": game.sensing,
+        "guarantee": game.guarantee,
+        "sure": names.get("evaders") in _KEEPS_GUARANTEE,
+        "strategies": names,
+    }
+
+
+def picture(game: Game, row: int) -> Json:
+    """Return one row: the state, the plan that is flown from there on, and what it expects."""
+    critical = game.critical_sequences[row]
+    sequence = critical[critical >= 0]
+    captured = len(game.team) - len(sequence)
+    return {
+        "time": float(game.times[row]),
+        "evaders": np.column_stack(
+            [game.evader_positions[row], game.evader_headings[row], game.evader_turns[row]]
+        ).tolist(),
+        "pursuer": game.pursuer_positions[row].tolist(),
+        "disk": [*game.disk_centers[row].tolist(), float(game.disk_radii[row])],
+        "guarantee": float(game.guarantees[row]),
+        "sequence": sequence.tolist(),
+        "expected": _expected(game, row, sequence),
+        "captured": [
+            [int(i), float(time)]
+            for i, time in zip(
+                game.capture_sequence[:captured], game.capture_times[:captured], strict=True
+            )
+        ],
+    }
+
+
+def film(game: Game) -> Json:
+    """Return the whole game, with at most `MOST_PICTURES` of its rows and those of the captures."""
+    rows = np.linspace(0, len(game.times) - 1, min(MOST_PICTURES, len(game.times)), dtype=int)
+    captures = np.searchsorted(game.times, game.capture_times, side="right") - 1
+    before = np.searchsorted(game.times, game.capture_times, side="left") - 1
+    rows = np.unique(np.concatenate([rows, np.maximum(before, 0), captures]))
+    time = game.survival_time
+    return {
+        "cast": cast(game),
+        "pictures": [picture(game, row) for row in rows.tolist()],
+        "survival_time": time if math.isfinite(time) else None,
+    }
+
+
+def _expected(game: Game, row: int, sequence: np.typing.NDArray[np.int64]) -> list[float]:
+    """Times, from the start of the game, of the captures that the plan must expect."""
+    if not len(sequence):
+        return []
+    team = Team(
+        game.evader_positions[row, sequence],
+        game.evader_headings[row, sequence],
+        game.team.speeds[sequence],
+        game.team.turn_rates[sequence],
+    )
+    disk = PursuerDisk(
+        game.disk_centers[row], game.disk_radii[row], game.disk.speed, game.disk.capture_radius
+    )
+    turns = game.evader_turns[row, sequence]
+    times = game.times[row] + capture_times(team, disk, turns, np.arange(len(sequence)))
+    return times.tolist()  # type: ignore[no-any-return] # to mypy an element of an array is Any

@@ -1,0 +1,57 @@
+// Time as a line: now, the captures, what was guaranteed, what the optimal pursuer needed.
+
+const WORDS = { guaranteed: 104, optimal: 82 }; // pixels
+
+export class Timeline {
+  constructor(fill, marks, scrub, onScrub) {
+    Object.assign(this, { fill, marks, scrub, drawn: "" });
+    scrub.addEventListener("input", () => onScrub(Number(scrub.value)));
+  }
+
+  // `end` of a film that can be scrubbed through, or null during a game.
+  show({ time, captures, guarantee, sure, optimal, end }) {
+    const known = [guarantee, optimal ?? 0, end ?? 0];
+    const span = Math.max(1.2 * Math.max(...known), end === null ? 1.02 * time : 0) || 1;
+    this.fill.style.width = `${(100 * time) / span}%`;
+    this.scrub.hidden = end === null;
+    this.scrub.max = span;
+    if (end !== null) {
+      this.scrub.value = time;
+      this.scrub.setAttribute("aria-valuetext", `time ${time.toFixed(2)} of ${end.toFixed(2)}`);
+    }
+    const width = this.marks.clientWidth;
+    const key = [span.toFixed(3), guarantee, sure, optimal, captures.length, width].join();
+    if (key === this.drawn) return;
+    this.drawn = key;
+    const marks = [mark("guaranteed", guarantee / span, `${nameOf(sure)} ${short(guarantee)}`)];
+    if (optimal !== null) {
+      const early = Math.min(guarantee, optimal) / span;
+      const late = Math.max(guarantee, optimal) / span;
+      marks.push(mark("optimal", optimal / span, `optimal ${short(optimal)}`));
+      // The words stand outside of the two marks or, where there is no room, at the ends.
+      const [first, last] = guarantee <= optimal ? ["guaranteed", "optimal"] : ["optimal", "guaranteed"];
+      const roomy = width * early > WORDS[first] && width * (1 - late) > WORDS[last];
+      marks.forEach((each, k) => each.classList.add((k === 0) === (guarantee <= optimal) ? "left-of" : "right-of"));
+      this.marks.classList.toggle("narrow", !roomy);
+    }
+    marks.push(...captures.map(([, when]) => mark("capture", when / span, "")));
+    this.marks.replaceChildren(...marks);
+  }
+}
+
+function mark(kind, share, text) {
+  const element = document.createElement("div");
+  element.className = `mark ${kind}`;
+  element.style.setProperty("--share", `${100 * share}%`);
+  if (text) element.append(Object.assign(document.createElement("span"), { textContent: text }));
+  return element;
+}
+
+// What the first plan is worth is guaranteed only by teams that never fall short of it.
+export function nameOf(sure) {
+  return sure ? "guaranteed" : "first plan";
+}
+
+export function short(time) {
+  return time >= 0.01 && time < 10000 ? time.toFixed(2) : time.toPrecision(3);
+}

@@ -1,0 +1,97 @@
+"""Serve the page from this machine until Ctrl-C."""
+
+from __future__ import annotations
+
+import json
+import socket
+import sys
+import webbrowser
+from threading import Thread
+from typing import Any
+
+import uvicorn
+
+from covey.model import InputError
+from covey.web.app import make_app
+from covey.web.opened import MOST_BYTES
+from covey.web.session import Session
+
+_GRACE = 1
+"""Seconds that open pages get to close when the server ends."""
+
+
+def serve(host: str, port: int, *, open_browser: bool) -> None:
+    """Serve the page, print its address, and return after Ctrl-C.
+
+    Raises
+    ------
+    InputError
+        If the address can't be listened on.
+    """
+    listener = listen(host, port)
+    with listener:
+        warm_up()
+        address = page_address(host, listener.getsockname()[1])
+        print(f"covey: the page is at {address}\nCtrl-C ends it.", flush=True)
+        if open_browser:
+            # In a thread: a browser of the terminal's doesn't come back before it is closed.
+            Thread(target=webbrowser.open, args=[address], daemon=True).start()
+        server = uvicorn.Server(configuration(host))
+        try:
+            server.run(sockets=[listener])
+        except KeyboardInterrupt:
+            print("covey: stopped", file=sys.stderr)
+
+
+def configuration(host: str) -> uvicorn.Config:
+    """Return how the page is served."""
+    return uvicorn.Config(
+        make_app(host),
+        log_level="warning",
+        access_log=False,
+        server_header=False,
+        ws="websockets-sansio",
+        ws_max_size=MOST_BYTES,
+        ws_per_message_deflate=False,  # frames are small, and the network is short
+        timeout_graceful_shutdown=_GRACE,
+    )
+
+
+def listen(host: str, port: int) -> socket.socket:
+    """Return a socket that listens; port 0 takes any that is free."""
+    try:
+        family, *_, place = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+        return _bound(family, place)
+    except OSError as error:
+        raise InputError(
+            f"can't listen on {host}, port {port}: {error.strerror}; "
+            "choose another port with --port, or leave the choice to covey with --port 0"
+        ) from error
+
+
+def _bound(family: socket.AddressFamily, place: tuple[Any, ...]) -> socket.socket:
+    listener = socket.socket(family, socket.SOCK_STREAM)
+    try:
+        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listener.bind(place)
+        listener.listen()  # who comes before the server is ready waits, and isn't refused
+    except OSError:
+        listener.close()
+        raise
+    return listener
+
+
+def page_address(host: str, port: int) -> str:
+    """Return the page's address as this machine reaches it."""
+    name = {"0.0.0.0": "127.0.0.1", "::": "[::1]"}.get(host, host)
+    return f"http://{f'[{name}]' if ':' in name and name[0] != '[' else name}:{port}/"
+
+
+def warm_up() -> None:
+    """Load the kernels, and compile them where that has not been done, before anybody waits."""
+    session = Session()
+    for sensing in ("visible", "hidden"):
+        choices = {"evaders": 2, "sensing": sensing}
+        for message in ({"type": "new", "choices": choices}, {"type": "step"}):
+            list(session.receive(json.dumps(message), 0.0))
+            list(session.advance(0.0))

@@ -1,0 +1,13 @@
+"""One server for all tests of the page in a file."""
+
+from __future__ import annotations
+
+import pytest
+
+from web.served import serving
+
+
+@pytest.fixture(scope="module")
+def server():
+    with serving() as served:
+        yield served
