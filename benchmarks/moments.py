@@ -12,7 +12,8 @@ from covey.kernels.columns import Columns
 from covey.kernels.replanning import replan
 from covey.kernels.rules import NOBODY, Rules, announce, fly, initial_state, pursuit_from
 from covey.kernels.search import search_scratch
-from covey.planning.open_loop import DEFAULT_TOLERANCE, MOST_STEPS, columns_of, start_noise
+from covey.planning.open_loop import MOST_STEPS, columns_of, start_noise
+from covey.players.evaders import REPLAN_TOLERANCE
 
 UPDATE_TIME = 0.01
 
@@ -37,6 +38,7 @@ class Moment(NamedTuple):
     now: Situation  # with what is left of them
     plan: covey.Plan  # the last one as a record
     columns: Columns  # the last one's, as a game carries them over
+    worth: float  # what the last one is worth at least, less the time since
 
 
 class Answer(NamedTuple):
@@ -64,14 +66,15 @@ def moments(size):
         announce(state, rules)
         if fly(state, rules, target, 0.0, 0.0) != NOBODY:
             continue  # captured before there is anything to replan: the next team
-        replan(
+        worth = replan(
             state.evaders,
             size,
             pursuit_from(state, rules),
             noise,
             0,
-            DEFAULT_TOLERANCE,
+            REPLAN_TOLERANCE,
             MOST_STEPS,
+            plan.survival_time - UPDATE_TIME,
             state.turns,
             columns,
             scratch,
@@ -81,7 +84,7 @@ def moments(size):
         if fly(state, rules, target, 0.0, 0.0) != NOBODY:
             continue
         last = covey.plan(before.team, before.disk, starts=1, warm_start=before.turns)
-        yield Moment(first, before, _situation(state), last, columns)
+        yield Moment(first, before, _situation(state), last, columns, worth - UPDATE_TIME)
 
 
 def _situation(state):

@@ -19,12 +19,13 @@ from covey.kernels.replanning import replan
 from covey.kernels.search import search, search_scratch
 from covey.planning.guarantee import pursuit_of
 from covey.planning.open_loop import DEFAULT_TOLERANCE, MOST_STEPS, start_noise
+from covey.players.evaders import REPLAN_TOLERANCE
 from moments import Answer
 from stopwatch import now
 
 
 @numba.njit
-def timed_replan(repeats, evaders, pursuit, noise, left, known, turns, columns, scratch):
+def timed_replan(repeats, evaders, pursuit, noise, left, worth, known, turns, columns, scratch):
     """Median time and value of replans from what is left of a plan and the columns it had."""
     n, value, reading, seconds = len(left), 0.0, np.zeros(2, np.int64), np.empty(repeats)
     for k in range(repeats):
@@ -32,7 +33,17 @@ def timed_replan(repeats, evaders, pursuit, noise, left, known, turns, columns, 
         copy_columns(known, n, columns)
         start = now(reading)
         value = replan(
-            evaders, n, pursuit, noise, 0, DEFAULT_TOLERANCE, MOST_STEPS, turns, columns, scratch
+            evaders,
+            n,
+            pursuit,
+            noise,
+            0,
+            REPLAN_TOLERANCE,
+            MOST_STEPS,
+            worth,
+            turns,
+            columns,
+            scratch,
         )
         seconds[k] = now(reading) - start
     return np.median(seconds), value
@@ -49,13 +60,13 @@ def timed_plan(repeats, evaders, pursuit, noise, turns, columns, scratch):
             n,
             pursuit,
             noise,
-            0,
             1,
             -math.inf,
             DEFAULT_TOLERANCE,
             MOST_STEPS,
             turns,
             columns,
+            scratch.elite,
             scratch,
         )
         seconds[k] = now(reading) - start
@@ -85,7 +96,8 @@ class Compiled:
         team, disk, left = moment.now
         blank, known = make_columns(len(left)), moment.columns
         evaders, pursuit = team.as_rows(), pursuit_of(disk)
-        return evaders, pursuit, self.noise, left, known, left.copy(), blank, self.scratch
+        worth = moment.worth
+        return evaders, pursuit, self.noise, left, worth, known, left.copy(), blank, self.scratch
 
     def cold_arguments(self, moment):
         """What `timed_plan` wants besides the number of repeats."""

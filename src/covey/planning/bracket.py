@@ -10,7 +10,7 @@ import numpy as np
 from covey.model import PursuerDisk, Team
 from covey.planning.announcement import best_announcement
 from covey.planning.fixed_sequence import SequencePlan, plan_for_sequence
-from covey.planning.open_loop import DEFAULT_STARTS, Plan, plan
+from covey.planning.open_loop import Plan, plan
 from covey.planning.polygon import latest_capture
 
 _MOVES = 8
@@ -40,9 +40,7 @@ class Bracket:
     sequence: tuple[int, ...]
 
 
-def bracket(
-    team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int = DEFAULT_STARTS
-) -> Bracket:
+def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None = None) -> Bracket:
     """Bracket the true value of the game from below and above.
 
     Parameters

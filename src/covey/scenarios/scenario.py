@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from covey.model import PursuerDisk, Team
 from covey.planning import Bracket, Plan, bracket, plan
-from covey.planning.open_loop import DEFAULT_STARTS
 from covey.players import IterativeOpenLoop, OpenLoop, WorstCase, simulate, worst_case
 from covey.simulation import Game, PursuerStrategy, TeamStrategy
 
@@ -74,8 +73,8 @@ class Scenario:
         )
 
     @property
-    def _starts(self) -> int:
+    def _starts(self) -> int | None:
         """Starts of the search for the plan, which strategies that fly none don't name."""
         if isinstance(self.evaders, OpenLoop | IterativeOpenLoop):
             return self.evaders.starts
-        return DEFAULT_STARTS
+        return None
