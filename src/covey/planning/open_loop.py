@@ -165,7 +165,7 @@ def default_starts(n: int) -> int:
     is what seconds allow.
     """
     if n > 12:
-        return 32
+        return 24
     return 56 if n in (4, 5) else 100
 
 
