@@ -1,85 +1,43 @@
-"""How long plans and games take, kernels compiled, one core. Run with `make bench`."""
+"""How long plans take, beside what others need for the same, kernels compiled, one core.
+
+- warm: a replan one update later, from what is left of the last plan. This planner carries turns,
+  sequences and weights over, IPOPT its multipliers, SLSQP has nothing but the turns to carry.
+- cold: a plan from one start, straight flight away from the pursuer, for all the same.
+- best: `covey.plan` by default, the best of many starts.
+"""
 
 from __future__ import annotations
 
-import itertools
-
-import numpy as np
 import pytest
 
-import covey
-from covey.kernels.replanning import replan
-from covey.kernels.search import search_scratch
-from covey.planning.guarantee import pursuit_of
-from covey.planning.open_loop import (
-    DEFAULT_TOLERANCE,
-    MOST_STEPS,
-    columns_of,
-    start_noise,
-)
+from replay import REPLAY
+from rounds import SIZES, measure, pairs, warm_up
+from tables import rows
 
-GAMES = 50
-SIZES = (2, 3, 5, 8, 10, 12)
-DISK = covey.PursuerDisk()
+LEAST_EQUAL, LEAST_SETTLED = 0.5, 0.8
+"""Shares of games in which a warm replan comes to the same value as this planner's, and in which
+what a method ends with is a local maximum."""
 
-
-def teams(size):
-    """Teams as in section V of the paper: uniform in the unit square, headings away."""
-    generator = np.random.default_rng(size)
-    for _ in range(GAMES):
-        positions = generator.uniform(-0.5, 0.5, (size, 2))
-        yield covey.Team(positions, np.arctan2(positions[:, 1], positions[:, 0]))
+CASES = [
+    pytest.param(size, task, method.name, id=f"{size}-{task}-{method.name}")
+    for size in SIZES
+    for method, task in pairs(size)
+]
 
 
-@pytest.mark.parametrize("size", SIZES)
-def test_plan_from_one_start(benchmark, size):
-    games = itertools.cycle(teams(size))
-    benchmark.group = "cold plan, one start"
-    benchmark.pedantic(
-        lambda team: covey.plan(team, DISK, starts=1),
-        setup=lambda: ((next(games),), {}),
-        rounds=4 * GAMES,
-        warmup_rounds=GAMES,
-    )
+@pytest.fixture(scope="module", autouse=True)
+def _compiled():
+    warm_up()
 
 
-@pytest.mark.parametrize("size", SIZES)
-def test_warm_plan(benchmark, size):
-    """`covey.plan` from the plan of a moment ago, as a caller in Python replans."""
-    planned = itertools.cycle([(t, covey.plan(t, DISK, starts=1)) for t in teams(size)])
-
-    def moment_later():
-        team, plan = next(planned)
-        later = covey.PursuerDisk(radius=0.01)
-        return (team, later), {"starts": 1, "warm_start": plan}
-
-    benchmark.group = "warm plan"
-    benchmark.pedantic(covey.plan, setup=moment_later, rounds=4 * GAMES, warmup_rounds=GAMES)
-
-
-@pytest.mark.parametrize("size", SIZES)
-def test_warm_replan_in_a_game(benchmark, size):
-    """The kernel that a compiled game calls at every update, called from Python."""
-    pursuit, noise = pursuit_of(covey.PursuerDisk(radius=0.01)), start_noise(0, 0, size)
-    scratch = search_scratch(size)
-    planned = itertools.cycle([(t, covey.plan(t, DISK, starts=1)) for t in teams(size)])
-
-    def moment_later():
-        team, plan = next(planned)
-        arguments = (team.as_rows(), size, pursuit, noise, 0, DEFAULT_TOLERANCE, MOST_STEPS)
-        return (*arguments, plan.turns.copy(), columns_of(plan), scratch), {}
-
-    benchmark.group = "warm replan in a game"
-    benchmark.pedantic(replan, setup=moment_later, rounds=4 * GAMES, warmup_rounds=GAMES)
-
-
-@pytest.mark.parametrize("sensing", ["visible", "hidden"])
-def test_whole_game_of_five(benchmark, sensing):
-    games = itertools.cycle(teams(5))
-    benchmark.group = "whole game, N = 5, update time 0.01"
-    benchmark.pedantic(
-        lambda team: covey.simulate(team, DISK, sensing=sensing),
-        setup=lambda: ((next(games),), {}),
-        rounds=GAMES,
-        warmup_rounds=3,
-    )
+@pytest.mark.benchmark(timer=REPLAY.now)
+@pytest.mark.parametrize(("size", "task", "method"), CASES)
+def test_time(benchmark, size, task, method):
+    solves = [s for s in measure(size) if (s.task, s.method) == (task, method)]
+    benchmark.group = f"N = {size:2d}, {task}"
+    REPLAY.run(benchmark, [solve.seconds for solve in solves])
+    row = next(r for r in rows(measure(size)) if (r.task, r.method) == (task, method))
+    benchmark.extra_info |= row._asdict()
+    assert row.settled >= LEAST_SETTLED * row.games
+    if task == "warm":
+        assert row.equal >= LEAST_EQUAL * row.games

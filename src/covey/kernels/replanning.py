@@ -13,6 +13,7 @@ from covey.kernels.ascent import AscentScratch, ascend
 from covey.kernels.columns import Columns
 from covey.kernels.search import WARM_BOX, SearchScratch, search
 from covey.kernels.sequence import capture_times
+from covey.kernels.starts import enter
 from covey.kernels.subsets import least_time
 from covey.kernels.types import Floats, Ints, Pursuit, Table
 
@@ -51,20 +52,24 @@ def replan(
         known,
         scratch.ascent,
     )
-    value, _, _ = search(
-        evaders,
-        n,
-        pursuit,
-        noise,
-        0,
-        followed,
-        value,
-        tolerance,
-        most_steps,
-        turns,
-        columns,
-        scratch,
-    )
+    if followed > 0:
+        for k in range(len(scratch.elite.values)):
+            scratch.elite.values[k] = -math.inf
+        enter(scratch.elite, n, value, turns)
+        value, _, _ = search(
+            evaders,
+            n,
+            pursuit,
+            noise,
+            followed,
+            value,
+            tolerance,
+            most_steps,
+            turns,
+            columns,
+            scratch.elite,
+            scratch,
+        )
     return value
 
 

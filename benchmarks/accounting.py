@@ -1,0 +1,152 @@
+"""Where the time of a plan goes, and how far it is from the floor.
+
+The floor is one dynamic programme over all subsets and nothing else: its interceptions times what
+an interception costs by itself.
+"""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from typing import NamedTuple
+
+import numba
+import numpy as np
+
+import covey
+from covey.kernels.interception import earliest_capture
+from covey.kernels.path import PATH, position, set_paths
+from covey.planning.guarantee import pursuit_of
+from interpreted import Watch
+from moments import moments
+from own import Compiled, planned, replanned, timed_plan, timed_replan
+from peers.peer import SAME
+from stopwatch import now
+
+MOST_GAMES, SECONDS = 20, 3.0
+LONG = 7
+"""Size from which on the calls of a solve are long enough to be timed in their order."""
+
+PARTS = {
+    "least_time": "programmes",
+    "linearise": "derivatives",
+    "linearise_one": "derivatives",
+    "shape": "quadratic",
+    "best_step": "quadratic",
+    "corrected_step": "quadratic",
+    "direction_upwards": "quadratic",
+    "column_times": "columns",
+    "capture_times": "columns",
+    "set_paths": "paths",
+}
+"""The kernels in which a plan spends its time, and under which heading. The rest steers."""
+
+
+class Account(NamedTuple):
+    """One task at one size, means over its games; times in microseconds, parts in per cent."""
+
+    size: int
+    task: str
+    time: float
+    interceptions: float  # of the dynamic programmes
+    million_per_second: float
+    ns_each: float  # an interception by itself
+    floor_interceptions: int
+    floor: float
+    over_floor: float
+    programmes: float
+    derivatives: float
+    quadratic: float
+    columns: float
+    paths: float
+    rest: float
+
+
+def floor_interceptions(n):
+    """Interceptions of one dynamic programme that drops nothing."""
+    return n + n * (n - 1) * 2 ** (n - 2)
+
+
+MEASURED: dict[int, list[Account]] = {}
+"""By size."""
+
+
+def accounts(size):
+    """Return the `Account` of a warm replan and of a cold plan from one start."""
+    own = Compiled(size)
+    MEASURED[size] = [
+        _account("warm", size, own.warm, timed_replan, own.warm_arguments, replanned),
+        _account("cold", size, own.cold, timed_plan, own.cold_arguments, planned),
+    ]
+    return MEASURED[size]
+
+
+def _account(task, size, run, driver, arguments, plan):
+    watch = Watch(PARTS)
+    step_by_step = watch.interpreted(driver)
+    if unknown := set(PARTS) - watch.met:
+        raise AssertionError(f"no plan calls these kernels any more: {sorted(unknown)}")
+    spent: Counter[str] = Counter()
+    total, each, interceptions, begun = 0.0, 0.0, 0, time.perf_counter()
+    for games, moment in enumerate(moments(size), start=1):
+        seconds, value, _ = run(moment)
+        _, retraced = step_by_step(1, *arguments(moment))
+        if abs(retraced - value) > SAME * value:
+            raise AssertionError(f"step by step, the solve came to {retraced}, not to {value}")
+        total += seconds
+        spent.update(watch.seconds(long=size >= LONG))
+        each += interception_seconds(moment)
+        interceptions += plan(moment).interceptions
+        if games == MOST_GAMES or time.perf_counter() - begun > SECONDS:
+            break
+    shares = dict.fromkeys(PARTS.values(), 0.0)
+    for kernel, part in PARTS.items():
+        shares[part] += 100.0 * spent[kernel] / total
+    least = floor_interceptions(size)
+    floor = least * each
+    return Account(
+        size,
+        task,
+        1e6 * total / games,
+        interceptions / games,
+        1e-6 * interceptions / total,
+        1e9 * each / games,
+        least,
+        1e6 * floor / games,
+        total / floor,
+        *shares.values(),
+        100.0 - sum(shares.values()),
+    )
+
+
+def interception_seconds(moment):
+    """Seconds of one interception by itself: those along random sequences, one after the other."""
+    team, disk, turns = moment.before
+    n, pursuit, paths = len(team), pursuit_of(disk), np.empty((len(team), PATH))
+    set_paths(team.as_rows(), turns, pursuit.speed, paths)
+    sequences = np.random.default_rng(n).permuted(np.tile(np.arange(n), (100, 1)), axis=1)
+    starts = []
+    for sequence in sequences:
+        times = covey.capture_times(team, disk, turns, sequence)
+        places = [position(paths, i, time) for i, time in zip(sequence, times, strict=True)]
+        starts += [(*place, time) for place, time in zip(places[:-1], times[:-1], strict=True)]
+    return _each(paths, pursuit, sequences[:, 1:].ravel(), np.array(starts))
+
+
+@numba.njit
+def _each(paths, pursuit, evaders, starts):
+    reading, seconds, total = np.zeros(2, np.int64), np.empty(20), 0.0
+    for repeat in range(len(seconds)):
+        begun = now(reading)
+        for k in range(len(evaders)):
+            total += earliest_capture(
+                paths,
+                evaders[k],
+                starts[k, 0],
+                starts[k, 1],
+                pursuit.later_radius,
+                starts[k, 2],
+                pursuit.speed,
+            )
+        seconds[repeat] = (now(reading) - begun) / len(evaders)
+    return np.median(seconds) if total > 0.0 else np.inf  # a sum that is used can't be left out
