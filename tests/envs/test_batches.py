@@ -19,7 +19,11 @@ OPPONENTS = [
     ("pursuer", {}),
     ("pursuer", {"evaders": covey.OpenLoop(starts=3)}),
     ("team", {}),
+    ("pursuer", {"evaders": covey.IterativeOpenLoop(starts=2, restarts=2, replan_time=0.12)}),
     ("team", {"pursuer": covey.FixedSequence([1, 0, 2])}),
+    ("team", {"pursuer": covey.PatientPursuer()}),
+    ("team", {"pursuer": covey.BestSequence()}),
+    ("team", {"pursuer": covey.RandomSequence()}),
 ]
 
 

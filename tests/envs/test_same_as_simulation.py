@@ -19,6 +19,16 @@ DT, RATE, REACH = 0.05, math.pi / 2, 0.03
 GAME = {"capture_radius": REACH, "update_time": DT}
 SEEN = {"sensing": "visible", "update_time": DT, "time_limit": 20.0}
 SEEDS = range(6)
+TEAMS = [
+    TEAM,
+    covey.OpenLoop(starts=4),
+    covey.ConstantHeading(starts=2, restarts=1),
+    covey.KnownSequence(replan_time=0.5),
+    covey.LargestDistance(replan_time=0.2),
+    covey.SmallestDanger(replan_time=0.2),
+    covey.StraightAway(),
+    covey.HoldCourse(),
+]
 
 
 class Seeded:
@@ -29,6 +39,19 @@ class Seeded:
 
     def start(self, seed):
         return self.strategy.start(self.seed)
+
+
+class InTheMiddle:
+    """A pursuer's strategy, played from the middle of the disk."""
+
+    def __init__(self, strategy):
+        self.strategy = strategy
+
+    def start(self, seed):
+        return self.strategy.start(seed)
+
+    def place(self, disk):
+        return disk.center
 
 
 def options_of(seed):
@@ -61,6 +84,18 @@ def captures_of_one_side(env, action_of):
         still = {i for i in range(3) if seen[6 * i + 5] > 0.0}
         captures += [(i, info["time"]) for i in living - still]
         living, over, row = still, ended or late, row + 1
+    return captures
+
+
+def captures_of_strategies(sensing, reach, seed, evaders, pursuer):
+    """Captures (evader, time) of an episode in which nobody is left to agents."""
+    setup = Setup(sensing=sensing, update_time=DT, capture_radius=reach)
+    start = Start(**options_of(seed), pursuer=np.zeros(2))
+    episode, captures = Episode(setup, start, 7, evaders, pursuer), []
+    while not (episode.ended or episode.late):
+        before = set(episode.living.tolist())
+        episode.step(None, None)
+        captures += [(i, episode.time) for i in before - set(episode.living.tolist())]
     return captures
 
 
@@ -137,6 +172,20 @@ def test_a_whole_game_of_two_strategies_flown_by_agents(seed):
     assert_same(record, captures)
 
 
+@pytest.mark.parametrize("strategy", TEAMS, ids=lambda team: type(team).__name__)
+@pytest.mark.parametrize("pursuer", [covey.FlyingPursuer(), covey.NearestFirst()])
+@pytest.mark.parametrize("sensing", ["visible", "hidden"])
+def test_two_strategies_and_a_pursuer_that_has_a_place(sensing, pursuer, strategy):
+    record = covey.simulate(
+        *game_of(1),
+        evaders=strategy,
+        pursuer=InTheMiddle(pursuer),
+        seed=7,
+        **(SEEN | {"sensing": sensing}),
+    )
+    assert_same(record, captures_of_strategies(sensing, REACH, 1, strategy, pursuer))
+
+
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_hidden_pursuer_with_hardly_any_reach_is_the_disk_of_the_simulation(seed):
     """All that a disk can do beyond a real pursuer is to be anywhere within ρ after a capture."""
@@ -149,11 +198,4 @@ def test_a_hidden_pursuer_with_hardly_any_reach_is_the_disk_of_the_simulation(se
         seed=7,
         **(SEEN | {"sensing": "hidden"}),
     )
-    setup = Setup(sensing="hidden", update_time=DT, capture_radius=reach)
-    start = Start(**options_of(seed), pursuer=np.zeros(2))
-    episode, captures = Episode(setup, start, 7, strategy, pursuer), []
-    while not (episode.ended or episode.late):
-        before = set(episode.living.tolist())
-        episode.step(None, None)
-        captures += [(i, episode.time) for i in before - set(episode.living.tolist())]
-    assert_same(record, captures)
+    assert_same(record, captures_of_strategies("hidden", reach, seed, strategy, pursuer))

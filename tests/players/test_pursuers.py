@@ -67,8 +67,8 @@ def test_an_infinite_margin_never_lets_it_change_its_mind(sensing):
 def test_without_a_margin_it_dithers():
     """The team makes several sequences equally good, and whichever is followed is worse next time.
 
-    In this game a pursuer that changes its mind for nothing takes half as long
-    again for four evaders as one that asks for a gain of one in a hundred.
+    In this game a pursuer that changes its mind for nothing takes half as long again for four
+    evaders as one that asks for a gain of one in a hundred.
     """
     team, disk = random_game(np.random.default_rng(11), 4)
 

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 import uvicorn
 from websockets.sync.client import connect
 
-from covey.web.server import configuration, listen
+from covey.web.server import configuration, listen, warm_up
 
 
 class Served:
@@ -29,6 +29,7 @@ class Served:
 
 @contextmanager
 def serving():
+    warm_up()  # pages wait for answers, and not for the compiler
     listener = listen("127.0.0.1", 0)
     config = configuration("127.0.0.1")
     server = uvicorn.Server(config)

@@ -62,11 +62,13 @@ team doesn't plan, that `covey.plan` does from the same start (8 starts of its s
 ``"time"``: the time now, at the end of a game the survival time.
 
 **Opponents.** ``parallel_env(evaders=...)`` or ``parallel_env(pursuer=...)`` lets a strategy play
-one side: `covey.IterativeOpenLoop`, `covey.OpenLoop`, `covey.CommittedPursuer`,
-`covey.FixedSequence`, or a function of a `covey.Situation`. `PursuerEnv` plays against iterative
-open loop, `TeamEnv` against the committed pursuer, unless told otherwise. Batches play compiled, so
-they take the strategies that come with the package; they begin a game anew in the step that ends it
-(Gymnasium's ``SAME_STEP``), and game b with seed s is the game of the single view with seed s + b.
+one side: any that comes with the package, or a function of a `covey.Situation`. Where the pursuer
+starts is the environment's, also if its strategy has a `place`. `PursuerEnv` plays against
+iterative open loop, `TeamEnv` against the committed pursuer, unless told otherwise. Batches play
+compiled, against `covey.IterativeOpenLoop`, `covey.OpenLoop`, `covey.CommittedPursuer`,
+`covey.PatientPursuer`, `covey.FixedSequence`, `covey.BestSequence`, `covey.RandomSequence`. They
+begin a game anew in the step that ends it (Gymnasium's ``SAME_STEP``), and game b with seed s is
+the game of the single view with seed s + b.
 
 **Starts** are drawn. ``reset(options={"positions": (N, 2), "headings": (N,)})`` gives one; without
 headings they are drawn as `Setup` says.

@@ -90,8 +90,8 @@ def page_address(host: str, port: int) -> str:
 def warm_up() -> None:
     """Load the kernels, and compile them where that has not been done, before anybody waits."""
     session = Session()
-    for sensing in ("visible", "hidden"):
-        choices = {"evaders": 2, "sensing": sensing}
+    for sensing, team in (("visible", "iterative-open-loop"), ("hidden", "largest-distance")):
+        choices = {"evaders": 2, "sensing": sensing, "team": team}
         for message in ({"type": "new", "choices": choices}, {"type": "step"}):
             list(session.receive(json.dumps(message), 0.0))
             list(session.advance(0.0))

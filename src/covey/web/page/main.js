@@ -287,7 +287,7 @@ function filmEnded() {
 function showRate(rate) {
   const wanted = playback.pace / state.updateTime;
   const slow = rate > 0 && rate < 0.85 * wanted;
-  at("rate-chip").textContent = rate > 0 ? `${Math.round(rate)} plans a second${slow ? ", slowed down" : ""}` : "–";
+  at("rate-chip").textContent = rate > 0 ? `${Math.round(rate)} updates a second${slow ? ", slowed down" : ""}` : "–";
   at("rate-chip").classList.toggle("slow", slow);
 }
 
