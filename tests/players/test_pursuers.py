@@ -44,7 +44,9 @@ def test_the_first_choice_is_the_quickest_sequence(sensing):
         team, disk = random_game(np.random.default_rng(seed), 5, mixed=seed % 2 == 1)
         plan = covey.plan(team, disk, seed=seed, starts=covey.IterativeOpenLoop().starts)
         game = covey.simulate(team, disk, sensing=sensing, seed=seed, time_limit=0.01)
-        assert tuple(game.pursuer_sequences[0]) == plan.critical_sequences[0]
+        # Several may be equally quick, to the last bit.
+        times = covey.capture_times(team, disk, plan.turns, game.pursuer_sequences[0])
+        assert times[-1] == plan.survival_time
 
 
 @BOTH
