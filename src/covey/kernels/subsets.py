@@ -21,7 +21,7 @@ from covey.kernels.path import TURN_END, position
 from covey.kernels.types import Floats, Ints, Pursuit, Table
 
 MOST_EVADERS = 18
-"""Largest team the exact minimum serves: its labels fill 8 N 2^N bytes, 38 MB for N = 18."""
+"""Largest team the exact minimum serves: its tables fill 16 N 2^N bytes, 80 MB for N = 18."""
 
 
 # Added to the time of a sequence, they make a bound that this sequence beats.

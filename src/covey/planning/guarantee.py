@@ -45,7 +45,7 @@ def check_game(team: Team, disk: PursuerDisk) -> None:
     if len(team) > MOST_EVADERS:
         raise InputError(
             f"team: expected at most {MOST_EVADERS} evaders, got {len(team)}; the exact minimum "
-            f"over all capture sequences needs 8 N 2^N bytes, so split the team"
+            f"over all capture sequences needs 16 N 2^N bytes, so split the team"
         )
 
 
@@ -125,7 +125,7 @@ def guaranteed_survival(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> 
     Notes
     -----
     The two inner minima of eq. (6), by dynamic programming over subsets (Held and Karp, 1962)
-    instead of N! sequences; memory 8 N 2^N bytes.
+    instead of N! sequences; memory 16 N 2^N bytes.
     """
     check_game(team, disk)
     n = len(team)
