@@ -28,6 +28,7 @@ from covey.model.checks import Floats, frozen_array, number, whole_number
 from covey.planning.guarantee import check_game, pursuit_of
 
 DEFAULT_STARTS = 32
+"""Starts of the first plan of a game that is played; `plan` by itself follows `default_starts`."""
 DEFAULT_TOLERANCE = 1e-9
 SIDE_BY_SIDE = 9
 """From this many evaders on, starts are followed on several cores: each takes milliseconds."""
