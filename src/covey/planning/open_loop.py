@@ -33,6 +33,8 @@ DEFAULT_TOLERANCE = 1e-9
 SIDE_BY_SIDE = 9
 """From this many evaders on, starts are followed on several cores: each takes milliseconds."""
 MOST_STEPS = 200
+START_STEPS = 50
+"""Steps of an ascent while other starts wait: one in a hundred takes more, and gains little."""
 CRITICAL_WITHIN = 1e-6
 """Sequences within this of the guaranteed time, relative, count as critical."""
 
@@ -155,6 +157,7 @@ def plan(
     else:
         in_time = True
         search.follow_all(noise, starts)
+    search.finish()
     return search.plan(PlanStatus.CONVERGED if in_time else PlanStatus.TIME_LIMIT)
 
 
@@ -182,11 +185,21 @@ class _Search:
 
     def go_on_from(self, turns: Floats, columns: Columns) -> None:
         """Ascend from a plan, with its columns."""
-        found = continue_plan(
-            self._evaders, self._pursuit, turns, columns, self._tolerance, MOST_STEPS
-        )
+        found = self._continued(turns, columns)
         self._take(found, 1)
         enter(self._elite, len(turns), found.value, found.turns)
+
+    def finish(self) -> None:
+        """Go on with the best plan if its steps were used up while other starts waited."""
+        if self._best is not None and self._best.ended == STEPS_USED_UP:
+            found = self._continued(self._best.turns, self._best.columns)
+            self._take(found, 0)
+            self._best = found  # never worse, and ended otherwise
+
+    def _continued(self, turns: Floats, columns: Columns) -> Found:
+        return continue_plan(
+            self._evaders, self._pursuit, turns, columns, self._tolerance, MOST_STEPS
+        )
 
     def follow_all(self, noise: Floats, starts: int) -> None:
         """Follow all starts in one go."""
@@ -197,7 +210,7 @@ class _Search:
                 noise,
                 starts,
                 self._tolerance,
-                MOST_STEPS,
+                START_STEPS,
                 self._elite,
             )
             self._take(found, starts)
@@ -214,7 +227,7 @@ class _Search:
                 noise,
                 start,
                 self._tolerance,
-                MOST_STEPS,
+                START_STEPS,
                 self._elite,
             )
 
