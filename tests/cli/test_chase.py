@@ -68,5 +68,5 @@ def test_it_opens_the_page_serves_it_and_ends_with_ctrl_c(tmp_path):
         process.send_signal(signal.SIGINT)
         _, said = process.communicate(timeout=20)
     assert process.returncode == 0
-    assert said.splitlines()[-1] == "covey: stopped"
+    assert "covey: stopped" in said.splitlines()
     assert "Traceback" not in said

@@ -125,7 +125,7 @@ def test_a_game_that_is_stopped_says_so(scenario, tmp_path, capsys):
 
 def test_simulate_saves_the_record_where_asked(record, capsys):
     assert main(["simulate", "three.toml", "--output", "new/game.parquet"]) == 0
-    assert capsys.readouterr().err == "saved new/game.parquet\n"
+    assert capsys.readouterr().err.endswith("saved new/game.parquet\n")
     assert covey.load_game("new/game.parquet").survival_time == record.survival_time
 
 
@@ -184,7 +184,7 @@ def test_a_game_that_was_played_is_not_lost_when_its_picture_is(
     monkeypatch.setattr(views, "save", full, raising=False)
     arguments = ["draw", "three.toml", "-o", "picture.png", "--record", "game.parquet"]
     assert main(arguments) == 2
-    assert capsys.readouterr().err == (
+    assert capsys.readouterr().err.endswith(  # kernels may be compiled first, and it says so
         "saved game.parquet\ncovey: picture.png: No space left on device\n"
     )
     assert covey.load_game("game.parquet").capture_sequence.tolist() == [2, 0, 1]
@@ -198,4 +198,4 @@ def test_results_are_printed_before_the_record_is_saved(scenario, monkeypatch, c
     assert main(["simulate", "three.toml", "-o", "game.parquet"]) == 2
     output = capsys.readouterr()
     assert "guaranteed survival time" in output.out
-    assert output.err == "covey: game.parquet: No space left on device\n"
+    assert output.err.endswith("covey: game.parquet: No space left on device\n")
