@@ -14,7 +14,7 @@ from covey.views.sheet import add_axes, new_figure
 from covey.views.style import styled
 
 _SIDE = 2.0
-_HEADROOM = 0.22
+_HEADROOM = 0.62
 _COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", style.INK, style.FAINT)
 _MARKS = ("o", "s", "^", "D", "v", "P", "X", "*")
 _SPREAD = 0.6
@@ -56,7 +56,7 @@ def draw_closeness(panels: Mapping[str, Mapping[str, Mapping[str, Closeness]]]) 
         axes.set_ylim(1.0 - 1.15 * (1.0 - least), 1.0 + 0.08 * (1.0 - least))
         axes.set_title(f"({'abcdef'[k]})  {title}", loc="left", pad=3)
         if k == 0:
-            axes.legend(loc="lower left")
+            figure.legend(loc="upper center", ncols=4)
             axes.set_ylabel("survival time over the value")
         else:
             axes.tick_params(labelleft=False)
