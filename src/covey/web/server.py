@@ -6,6 +6,7 @@ import json
 import socket
 import sys
 import webbrowser
+from contextlib import suppress
 from threading import Thread
 from typing import Any
 
@@ -37,10 +38,9 @@ def serve(host: str, port: int, *, open_browser: bool) -> None:
             # In a thread: a browser of the terminal's doesn't come back before it is closed.
             Thread(target=webbrowser.open, args=[address], daemon=True).start()
         server = uvicorn.Server(configuration(host))
-        try:
+        with suppress(KeyboardInterrupt):  # what Ctrl-C is turned into where it isn't ignored
             server.run(sockets=[listener])
-        except KeyboardInterrupt:
-            print("covey: stopped", file=sys.stderr)
+        print("covey: stopped", file=sys.stderr)
 
 
 def configuration(host: str) -> uvicorn.Config:
