@@ -12,7 +12,8 @@ from covey.kernels.columns import Columns
 from covey.kernels.replanning import replan
 from covey.kernels.rules import NOBODY, Rules, announce, fly, initial_state, pursuit_from
 from covey.kernels.search import search_scratch
-from covey.planning.open_loop import MOST_STEPS, columns_of, start_noise
+from covey.planning.multistart import MOST_STEPS
+from covey.planning.open_loop import columns_of, start_noise
 from covey.players.evaders import REPLAN_TOLERANCE
 
 UPDATE_TIME = 0.01

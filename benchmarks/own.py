@@ -18,7 +18,8 @@ from covey.kernels.columns import copy_columns, make_columns
 from covey.kernels.replanning import replan
 from covey.kernels.search import search, search_scratch
 from covey.planning.guarantee import pursuit_of
-from covey.planning.open_loop import DEFAULT_TOLERANCE, MOST_STEPS, start_noise
+from covey.planning.multistart import MOST_STEPS
+from covey.planning.open_loop import DEFAULT_TOLERANCE, start_noise
 from covey.players.evaders import REPLAN_TOLERANCE
 from moments import Answer
 from stopwatch import now

@@ -15,7 +15,8 @@ import covey
 from covey.kernels.search import search_all
 from covey.kernels.starts import BEGINNINGS, make_elite
 from covey.planning.guarantee import pursuit_of
-from covey.planning.open_loop import DEFAULT_TOLERANCE, MOST_STEPS, start_noise
+from covey.planning.multistart import MOST_STEPS
+from covey.planning.open_loop import DEFAULT_TOLERANCE, start_noise
 
 GAMES, STARTS = 200, 250
 

@@ -21,7 +21,7 @@ MISSED_BY_SMALL_TEAMS, MISSED = 1e-6, 1e-3
 """Of the survival time, relative: by how much a default plan may miss the best one known."""
 RAISED_AT_MOST = 1e-8
 """Of the survival time, relative: an ascent ends where a step promises less than 1e-9."""
-DEARER_AT_MOST = 6.0
+DEARER_AT_MOST = 5.0
 """A plan's interceptions over the mean of ordinary games."""
 
 names = pytest.mark.parametrize("name", GAMES)

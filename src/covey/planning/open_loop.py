@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-import os
 import time
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -14,27 +12,18 @@ import numpy.typing as npt
 
 from covey.kernels.ascent import CONVERGED, STALLED, STEPS_USED_UP
 from covey.kernels.columns import Columns, make_columns
-from covey.kernels.search import (
-    Found,
-    continue_plan,
-    follow_one,
-    is_better,
-    search_all,
-)
-from covey.kernels.starts import BATCH, CANDIDATES, enter, make_elite
+from covey.kernels.starts import CANDIDATES
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.angles import wrap_angle
 from covey.model.checks import Floats, frozen_array, number, whole_number
-from covey.planning.guarantee import check_game, pursuit_of
+from covey.planning.guarantee import check_game
+from covey.planning.multistart import Multistart
 
 DEFAULT_STARTS = 32
 """Starts of the first plan of a game that is played; `plan` by itself follows `default_starts`."""
 DEFAULT_TOLERANCE = 1e-9
 SIDE_BY_SIDE = 9
 """From this many evaders on, starts are followed on several cores: each takes milliseconds."""
-MOST_STEPS = 200
-START_STEPS = 50
-"""Steps of an ascent while other starts wait: one in a hundred takes more, and gains little."""
 CRITICAL_WITHIN = 1e-6
 """Sequences within this of the guaranteed time, relative, count as critical."""
 
@@ -147,7 +136,7 @@ def plan(
     n = len(team)
     starts = default_starts(n) if starts is None else whole_number("starts", starts, low=1)
     late = math.inf if time_limit is None else time.perf_counter() + time_limit
-    search = _Search(team, disk, tolerance)
+    search = Multistart(team, disk, tolerance)
     if warm_start is not None:
         search.go_on_from(*_start_of(warm_start, team))
         starts -= 1
@@ -158,113 +147,36 @@ def plan(
         in_time = True
         search.follow_all(noise, starts)
     search.finish()
-    return search.plan(PlanStatus.CONVERGED if in_time else PlanStatus.TIME_LIMIT)
+    return _plan_of(search, team, in_time)
 
 
 def default_starts(n: int) -> int:
     """Return how many starts `plan` follows for n evaders.
 
-    Measured, docs/decisions/0007: for three, five and eight evaders the plan is then, in 99 games
-    of 100, 98 and 96, as good as any that a far longer search finds. From thirteen evaders on it
-    is what seconds allow.
+    Measured, docs/decisions/0008 and benchmarks/quality.py: the plan is then within 1e-3 of the
+    best that 500 starts find in all games of three evaders, 99 of 100 of five and 92 of 100 of
+    eight. From thirteen evaders on it is what seconds allow.
     """
     if n > 12:
         return 24
     return 56 if n in (4, 5) else 100
 
 
-class _Search:
-    """The best plan so far, and what it has cost to find it."""
-
-    def __init__(self, team: Team, disk: PursuerDisk, tolerance: float) -> None:
-        self._team, self._tolerance = team, tolerance
-        self._evaders, self._pursuit = team.as_rows(), pursuit_of(disk)
-        self._elite = make_elite(len(team))
-        self._best: Found | None = None
-        self._done = self._steps = self._interceptions = 0
-
-    def go_on_from(self, turns: Floats, columns: Columns) -> None:
-        """Ascend from a plan, with its columns."""
-        found = self._continued(turns, columns)
-        self._take(found, 1)
-        enter(self._elite, len(turns), found.value, found.turns)
-
-    def finish(self) -> None:
-        """Go on with the best plan if its steps were used up while other starts waited."""
-        if self._best is not None and self._best.ended == STEPS_USED_UP:
-            found = self._continued(self._best.turns, self._best.columns)
-            self._take(found, 0)
-            self._best = found  # never worse, and ended otherwise
-
-    def _continued(self, turns: Floats, columns: Columns) -> Found:
-        return continue_plan(
-            self._evaders, self._pursuit, turns, columns, self._tolerance, MOST_STEPS
-        )
-
-    def follow_all(self, noise: Floats, starts: int) -> None:
-        """Follow all starts in one go."""
-        if starts > 0:
-            found = search_all(
-                self._evaders,
-                self._pursuit,
-                noise,
-                starts,
-                self._tolerance,
-                START_STEPS,
-                self._elite,
-            )
-            self._take(found, starts)
-
-    def follow_side_by_side(self, noise: Floats, starts: int, late: float) -> bool:
-        """Follow the starts of a batch on several cores; return whether all were in time."""
-
-        def follow(start: int) -> Found | None:
-            if time.perf_counter() > late and (start > 0 or self._done > 0):
-                return None
-            return follow_one(
-                self._evaders,
-                self._pursuit,
-                noise,
-                start,
-                self._tolerance,
-                START_STEPS,
-                self._elite,
-            )
-
-        with ThreadPoolExecutor(min(BATCH, os.cpu_count() or 1)) as crew:
-            for first in range(0, starts, BATCH):
-                batch = list(crew.map(follow, range(first, min(first + BATCH, starts))))
-                for found in batch:
-                    if found is not None:
-                        self._take(found, 1)
-                        enter(self._elite, len(self._team), found.value, found.turns)
-                if None in batch:
-                    return False
-        return True
-
-    def _take(self, found: Found, starts: int) -> None:
-        self._done += starts
-        self._steps += found.cost.steps
-        self._interceptions += found.cost.interceptions
-        if self._best is None or is_better(found.value, self._best.value):
-            self._best = found
-
-    def plan(self, status: PlanStatus) -> Plan:
-        """Return the best plan; `status` is what there is to say of the search, if anything."""
-        assert self._best is not None
-        best = self._best
-        held = _held(best.columns, best.ends, best.value)
-        return Plan(
-            turns=_read_only(best.turns),
-            goal_headings=_read_only(wrap_angle(self._team.headings + best.turns)),
-            survival_time=best.value,
-            critical_sequences=tuple(sequence for sequence, _ in held),
-            weights=tuple(weight for _, weight in held),
-            status=_STATUS[best.ended] if status is PlanStatus.CONVERGED else status,
-            starts=self._done,
-            steps=self._steps,
-            interceptions=self._interceptions,
-        )
+def _plan_of(search: Multistart, team: Team, in_time: bool) -> Plan:
+    assert search.best is not None
+    best = search.best
+    held = _held(best.columns, best.ends, best.value)
+    return Plan(
+        turns=_read_only(best.turns),
+        goal_headings=_read_only(wrap_angle(team.headings + best.turns)),
+        survival_time=best.value,
+        critical_sequences=tuple(sequence for sequence, _ in held),
+        weights=tuple(weight for _, weight in held),
+        status=_STATUS[best.ended] if in_time else PlanStatus.TIME_LIMIT,
+        starts=search.done,
+        steps=search.steps,
+        interceptions=search.interceptions,
+    )
 
 
 def start_noise(seed: int, starts: int, n: int) -> Floats:

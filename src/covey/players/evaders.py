@@ -16,13 +16,8 @@ from covey.kernels.search import search_scratch
 from covey.model.checks import Floats, whole_number
 from covey.planning import Plan, plan
 from covey.planning.guarantee import pursuit_of
-from covey.planning.open_loop import (
-    DEFAULT_STARTS,
-    DEFAULT_TOLERANCE,
-    MOST_STEPS,
-    columns_of,
-    start_noise,
-)
+from covey.planning.multistart import MOST_STEPS
+from covey.planning.open_loop import DEFAULT_STARTS, DEFAULT_TOLERANCE, columns_of, start_noise
 from covey.players.pace import checked_replan_time, least_wait, paced
 from covey.simulation import Situation, TeamPolicy
 
