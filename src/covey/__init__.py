@@ -13,9 +13,12 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from covey.model import ExpectedSurvival as ExpectedSurvival
     from covey.model import InputError as InputError
+    from covey.model import LastCapture as LastCapture
     from covey.model import PursuerDisk as PursuerDisk
     from covey.model import Team as Team
+    from covey.model import TotalSurvival as TotalSurvival
     from covey.model import turns_to as turns_to
     from covey.planning import Bracket as Bracket
     from covey.planning import Guarantee as Guarantee
@@ -24,6 +27,7 @@ if TYPE_CHECKING:
     from covey.planning import SequencePlan as SequencePlan
     from covey.planning import bracket as bracket
     from covey.planning import capture_times as capture_times
+    from covey.planning import expected_survival as expected_survival
     from covey.planning import guaranteed_survival as guaranteed_survival
     from covey.planning import plan as plan
     from covey.planning import plan_for_sequence as plan_for_sequence
@@ -59,7 +63,15 @@ if TYPE_CHECKING:
     from covey.studies import run_study as run_study
 
 _ROOMS = {
-    "covey.model": ("InputError", "PursuerDisk", "Team", "turns_to"),
+    "covey.model": (
+        "ExpectedSurvival",
+        "InputError",
+        "LastCapture",
+        "PursuerDisk",
+        "Team",
+        "TotalSurvival",
+        "turns_to",
+    ),
     "covey.planning": (
         "Bracket",
         "Guarantee",
@@ -68,6 +80,7 @@ _ROOMS = {
         "SequencePlan",
         "bracket",
         "capture_times",
+        "expected_survival",
         "guaranteed_survival",
         "plan",
         "plan_for_sequence",

@@ -12,6 +12,7 @@ from covey.kernels.path import PATH, position, set_paths, velocity
 from covey.kernels.quadratic import quadratic_scratch, solve_quadratic
 from covey.kernels.sequence import CAPTURE, add_curvature, capture_times, differentiate
 from covey.kernels.subsets import least_time, subset_scratch
+from covey.kernels.totals import least_total, total_scratch
 from covey.planning.guarantee import pursuit_of
 
 
@@ -33,6 +34,7 @@ def motion(team, turns, i, time):
 
 
 _scratch = cache(subset_scratch)  # used again and again, as in a search
+_total_scratch = cache(total_scratch)
 
 
 def least(team, disk, turns, bound=math.inf, sequence=None):
@@ -42,6 +44,15 @@ def least(team, disk, turns, bound=math.inf, sequence=None):
     paths = paths_of(team, turns, disk.speed)
     time, _ = least_time(paths, n, pursuit_of(disk), bound, found, _scratch(n))
     return time, found
+
+
+def least_sum(team, disk, turns, bound=math.inf, sequence=None):
+    """As `least`, of the sum of all capture times."""
+    n = len(team)
+    found = np.zeros(n, np.int64) if sequence is None else np.array(sequence, np.int64)
+    paths = paths_of(team, turns, disk.speed)
+    value, _ = least_total(paths, n, pursuit_of(disk), bound, found, _total_scratch(n))
+    return value, found
 
 
 def times_of_sequences(team, disk, sequences):
@@ -56,15 +67,15 @@ def times_of_sequences(team, disk, sequences):
     return values
 
 
-def derivatives(team, disk, turns, sequence):
-    """Gradient (N,) and Hessian (N, N) of the last capture time by the turns."""
+def derivatives(team, disk, turns, sequence, total=False):
+    """Gradient (N,) and Hessian (N, N) of the last capture time, or the sum, by the turns."""
     n = len(team)
     paths, pursuit = paths_of(team, turns, disk.speed), pursuit_of(disk)
     order = np.array(sequence, np.int64)
     times, captures, gradient = np.empty(n), np.empty((n, CAPTURE)), np.empty(n)
     lower = np.zeros((n, n))
     capture_times(paths, pursuit, order, times)
-    differentiate(paths, pursuit, order, times, captures, gradient)
+    differentiate(paths, pursuit, order, total, times, captures, gradient)
     add_curvature(paths, pursuit, order, times, captures, 1.0, np.empty((3, n)), lower)
     return gradient, np.tril(lower) + np.tril(lower, -1).T
 

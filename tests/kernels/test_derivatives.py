@@ -18,13 +18,16 @@ CURVATURE_ERROR = 1e-6
 """Of differences of the gradient, in time units per square radian, relative to the largest."""
 
 
-def time_of(team, disk, sequence):
-    values = calls.times_of_sequences(team, disk, [sequence])
-    return lambda turns: values(turns)[0]
+def time_of(team, disk, sequence, total):
+    def measured(turns):
+        times = covey.capture_times(team, disk, turns, sequence)
+        return times.sum() if total else times[-1]
+
+    return measured
 
 
-def gradient_of(team, disk, sequence):
-    return lambda turns: calls.derivatives(team, disk, turns, sequence)[0]
+def gradient_of(team, disk, sequence, total):
+    return lambda turns: calls.derivatives(team, disk, turns, sequence, total)[0]
 
 
 def central(function, turns):
@@ -54,6 +57,7 @@ def some_games(seed, wanted, **options):
             yield team, disk, turns, sequence
 
 
+MEASURES = pytest.mark.parametrize("total", [False, True], ids=["last", "total"])
 CASES = pytest.mark.parametrize(
     "options",
     [
@@ -68,18 +72,20 @@ CASES = pytest.mark.parametrize(
 
 
 @CASES
-def test_gradient(options):
+@MEASURES
+def test_gradient(options, total):
     for team, disk, turns, sequence in some_games(1, 30, **options):
-        gradient, _ = calls.derivatives(team, disk, turns, sequence)
-        wanted = central(time_of(team, disk, sequence), turns)
+        gradient, _ = calls.derivatives(team, disk, turns, sequence, total)
+        wanted = central(time_of(team, disk, sequence, total), turns)
         assert gradient == pytest.approx(wanted, rel=SLOPE_ERROR, abs=SLOPE_ERROR)
 
 
 @CASES
-def test_hessian(options):
+@MEASURES
+def test_hessian(options, total):
     for team, disk, turns, sequence in some_games(2, 30, **options):
-        _, hessian = calls.derivatives(team, disk, turns, sequence)
-        wanted = central(gradient_of(team, disk, sequence), turns)
+        _, hessian = calls.derivatives(team, disk, turns, sequence, total)
+        wanted = central(gradient_of(team, disk, sequence, total), turns)
         largest = max(np.abs(wanted).max(), 1.0)
         assert hessian == pytest.approx(wanted, abs=CURVATURE_ERROR * largest)
 

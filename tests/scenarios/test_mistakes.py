@@ -192,7 +192,7 @@ def test_a_mistake_in_the_number_of_evaders(text, lines, tmp_path):
         ),
         (
             "3",
-            ": expected the name of a strategy, or a table with its name and parameters, got 3",
+            ": expected a name, or a table with a name and parameters, got 3",
         ),
         (
             '{ name = "committed", margn = 0.1 }',

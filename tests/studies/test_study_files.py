@@ -84,7 +84,7 @@ def test_all_mistakes_of_a_file_are_told_at_once(tmp_path):
         ({"speed": [0.1, 1.0]}, "expected every evader to be slower than every pursuer"),
         ({"team_size": []}, "expected a value or a list of values"),
         ({"pursuer": covey.FixedSequence([0, 1])}, "expected a sequence of all 5 evaders"),
-        ({"evaders": 3}, "evaders: expected the name of a strategy"),
+        ({"evaders": 3}, "evaders: expected a name, or a table"),
         ({"turn_rate": "pi/0"}, "turn_rate: expected a turn rate >= 0"),
     ],
 )

@@ -91,9 +91,11 @@ def test_a_plan_shows_its_captures_in_order():
         turns,
         turns,
         SECOND_CAPTURE,
+        covey.LastCapture(),
+        SECOND_CAPTURE,
         ((0, 1), (1, 0)),
         covey.PlanStatus.CONVERGED,
-        *([0] * (len(covey.Plan.__dataclass_fields__) - 5)),
+        *([0] * (len(covey.Plan.__dataclass_fields__) - 7)),
     )
     (axes,) = draw_plan(game.team, game.disk, plan).axes
     captures = [[0.8, 0.0], turning_evader(SECOND_CAPTURE)]

@@ -11,21 +11,24 @@ def plan(file: ScenarioFile, /, *, seed: Seed = None, json: Json = False) -> Non
     Every evader turns once, at its full rate, and then flies straight. The guaranteed survival
     time holds against any pursuer in the disk, whatever it does; the critical sequences are the
     orders of capture by which it would come closest. Beside it stands a time that no team could be
-    sure to exceed, whatever its strategy, even if it saw the pursuer and turned at once.
+    sure to exceed, whatever its strategy, even if it saw the pursuer and turned at once. Where
+    [game] names another objective, the plan is for that one, and stands alone.
 
     Try:
 
         covey plan fig3
     """
     from covey.cli.sources import read_scenario
+    from covey.model import LastCapture
 
     scenario = read_scenario(file, seed)
-    found = scenario.bracket()
+    bracket = scenario.bracket() if isinstance(scenario.objective, LastCapture) else None
+    found = scenario.plan() if bracket is None else bracket.plan
     if json:
-        from covey.cli.report import bracket_as_json, print_json
+        from covey.cli.report import plan_as_json, print_json
 
-        print_json(bracket_as_json(scenario, found))
+        print_json(plan_as_json(scenario, found, bracket))
     else:
-        from covey.cli.tables import print_bracket
+        from covey.cli.tables import print_plan
 
-        print_bracket(scenario, found)
+        print_plan(scenario, found, bracket)

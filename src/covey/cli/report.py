@@ -7,7 +7,7 @@ import math
 from dataclasses import asdict
 from typing import Any, NamedTuple
 
-from covey.planning import Bracket
+from covey.planning import Bracket, Plan
 from covey.players import WorstCase
 from covey.scenarios import Scenario
 from covey.simulation import Game
@@ -21,13 +21,16 @@ class Capture(NamedTuple):
     place: list[float]
 
 
-def bracket_as_json(scenario: Scenario, bracket: Bracket) -> dict[str, Any]:
+def plan_as_json(scenario: Scenario, plan: Plan, bracket: Bracket | None) -> dict[str, Any]:
     """Return a plan, angles in radians, and a bound on what any team can be sure of."""
-    plan = bracket.plan
+    bound: dict[str, Any] = {}
+    if bracket is not None:
+        bound = {"upper_bound": bracket.upper, "announced_sequence": list(bracket.sequence)}
     return {
         "survival_time": plan.survival_time,
-        "upper_bound": bracket.upper,
-        "announced_sequence": list(bracket.sequence),
+        **bound,
+        "objective": plan.objective.describe(),
+        "value": plan.value,
         "turns": plan.turns.tolist(),
         "goal_headings": plan.goal_headings.tolist(),
         "critical_sequences": [list(sequence) for sequence in plan.critical_sequences],
@@ -44,6 +47,9 @@ def game_as_json(game: Game) -> dict[str, Any]:
     return {
         "guarantee": game.guarantee,
         "survival_time": game.survival_time,
+        "objective": dict(game.objective),
+        "planned_value": game.planned_value,
+        "value": game.value,
         "status": str(game.status),
         "captures": [capture._asdict() for capture in captures(game)],
         "sensing": game.sensing,

@@ -89,12 +89,13 @@ def _print_cases(console: Console, result: StudyResult) -> None:
     lines = summary(result)
     table = Table(box=SIMPLE_HEAD, pad_edge=False)
     settings = list(lines[0].settings)
-    stopped = any(line.stopped for line in lines)
+    stopped, valued = any(line.stopped for line in lines), lines[0].value is not None
     for heading in (
         *(_HEADINGS.get(name, name.replace("_", " ")) for name in settings),
         "guaranteed",
         "survival time",
         "relative",
+        *(["value"] if valued else []),
         *(["stopped"] if stopped else []),
     ):
         table.add_column(heading, justify="right", no_wrap=True)
@@ -104,6 +105,7 @@ def _print_cases(console: Console, result: StudyResult) -> None:
     console.print(
         f"Means over {lines[0].starts} starts, ± 95 % confidence. Relative: mean over the mean of "
         "the first line of the same team, from the same starts."
+        + (" Value: what came of the objective." if valued else "")
     )
 
 
@@ -113,6 +115,7 @@ def _row(line: Line) -> list[str]:
         f"{line.guarantee:.4f}",
         estimate(line.survival),
         estimate(line.relative) if line.relative.error > 0.0 else f"{line.relative.value:.4f}",
+        *([] if line.value is None else [estimate(line.value)]),
     ]
 
 
@@ -137,6 +140,7 @@ def study_as_json(result: StudyResult) -> dict[str, Any]:
                 "guarantee": line.guarantee,
                 "survival_time": line.survival._asdict(),
                 "relative": line.relative._asdict(),
+                **({} if line.value is None else {"value": line.value._asdict()}),
             }
             for line in summary(result)
         ],

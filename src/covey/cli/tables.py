@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
 
 from covey.cli.report import captures
-from covey.planning import Bracket
+from covey.planning import Bracket, Plan
 from covey.players import WorstCase
 from covey.scenarios import Scenario
 from covey.simulation import Game
@@ -18,14 +19,16 @@ from covey.simulation import Game
 _MOST_SEQUENCES = 6
 
 
-def print_bracket(scenario: Scenario, bracket: Bracket) -> None:
-    """Print the plan's guaranteed survival time, what bounds it, and where each evader heads."""
-    console, plan = _console(), bracket.plan
-    console.print(
-        f"survives at least {number(bracket.lower)}; "
-        f"no team could be sure of more than {number(bracket.upper)}"
-    )
+def print_plan(scenario: Scenario, plan: Plan, bracket: Bracket | None) -> None:
+    """Print what a plan is worth, what bounds it if that is known, and where each evader heads."""
+    console = _console()
+    if bracket is not None:
+        console.print(
+            f"survives at least {number(bracket.lower)}; "
+            f"no team could be sure of more than {number(bracket.upper)}"
+        )
     facts = [
+        *_objective(plan.objective.describe(), number(plan.value), ""),
         ("guaranteed survival time", number(plan.survival_time)),
         *_sequences(plan.critical_sequences),
         ("search", f"{plan.status} ({plan.starts} starts, {plan.steps} steps)"),
@@ -78,9 +81,20 @@ def outcome(game: Game) -> list[tuple[str, str]]:
     return [
         ("pursuer", f"{game.sensing}, {_strategy(game, 'pursuer')}"),
         ("evaders", f"{len(game.team)}, {_strategy(game, 'evaders')}"),
+        *_objective(game.objective, number(game.planned_value), number(game.value)),
         ("guaranteed survival time", number(game.guarantee)),
         ("survival time", survived),
     ]
+
+
+def _objective(objective: Mapping[str, Any], planned: str, value: str) -> list[tuple[str, str]]:
+    """Return what a plan made of an objective, and a game, unless it is the last capture."""
+    if objective["name"] == "last-capture":
+        return []
+    expected = objective["name"] == "expected-survival"
+    words = "last capture" if objective.get("measure") == "last" else "sum of survival times"
+    facts = [(f"{'expected' if expected else 'guaranteed'} {words}", planned)]
+    return [*facts, (words, value)] if value else facts
 
 
 def capture_table(game: Game) -> Table:

@@ -15,8 +15,9 @@ from covey.kernels.batches import fly_pursuers, fly_teams
 from covey.kernels.columns import Columns, make_columns
 from covey.kernels.policy import TeamMemory
 from covey.kernels.search import search_scratch
-from covey.model import InputError
+from covey.model import InputError, LastCapture
 from covey.planning import plan
+from covey.planning.aims import aim_of
 from covey.planning.open_loop import start_noise
 from covey.players import CommittedPursuer
 from covey.players.compiled import (
@@ -62,10 +63,9 @@ class PursuerVectorEnv(Games):
         n = self.setup.team_size
         self._evaders, self._policy = evaders, evaders.compiled()
         noise = start_noise(0, self._policy.restarts, n)
-        self._memories = TeamMemory(
-            Columns(*stacked(make_columns(n), num_envs)),
-            *stacked([noise, np.zeros(2)], num_envs),
-        )
+        columns = Columns(*stacked(make_columns(n), num_envs))
+        noises, lasts = stacked([noise, np.zeros(2)], num_envs)
+        self._memories = TeamMemory(columns, noises, lasts, aim_of(LastCapture(), n))
         self._scratch = search_scratch(n)
 
     def begin_opponent(self, b: int, start: Start, seed: int) -> float:
@@ -73,7 +73,7 @@ class PursuerVectorEnv(Games):
         team, known = self.setup.team(start), self.setup.known_at_start(start)
         first = plan(team, known, seed=seed, starts=self._evaders.starts)
         self.states.turns[b] = first.turns
-        columns, noise, last = first_memory(first, seed, self._policy.restarts)
+        columns, noise, last, _ = first_memory(first, seed, self._policy.restarts)
         for ours, new in zip(self._memories.columns, columns, strict=True):
             ours[b] = new
         self._memories.noise[b], self._memories.last[b] = noise, last

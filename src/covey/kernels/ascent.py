@@ -1,7 +1,7 @@
 """One local maximum of the guaranteed survival time (eq. 6), by sequential quadratic programming.
 
 Column generation: only a few sequences, the columns, are carried along; at every trial point the
-dynamic programme over subsets says exactly whether another sequence is worse, and that one joins.
+search for the worst sequence says exactly whether another sequence is worse, and that one joins.
 A step is the best of the local model inside a box that shrinks when a step disappoints.
 """
 
@@ -12,8 +12,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels._jit import allocating, compiled
-from covey.kernels.columns import Columns, column_times, join, most_columns
+from covey.kernels._jit import allocating, compiled, inlined
+from covey.kernels.columns import (
+    Columns,
+    Point,
+    evaluate,
+    evaluate_one,
+    join,
+    make_columns,
+    make_point,
+)
 from covey.kernels.local_model import (
     ModelScratch,
     best_step,
@@ -25,14 +33,15 @@ from covey.kernels.local_model import (
     shape,
     unit_of,
 )
-from covey.kernels.path import PATH, set_paths
-from covey.kernels.sequence import capture_times
-from covey.kernels.subsets import SubsetScratch, least_time, subset_scratch
+from covey.kernels.path import set_paths
 from covey.kernels.types import Floats, Ints, Pursuit, Table
+from covey.kernels.worst import WorstScratch, least_value, worst_scratch
 
 CONVERGED, STALLED, STEPS_USED_UP = range(3)
 
-_LEAST_BOX = 1e-9
+LEAST_BOX = 1e-9
+"""An ascent ends when it may change turns by no more."""
+
 _STRIDE = 0.03  # radians, off a saddle
 _MOST_CORRECTIONS = 3
 _ROUNDING = 1e-12
@@ -42,15 +51,14 @@ _DISAPPOINTING = 0.6  # share of the promise below which a step is corrected
 class AscentScratch(NamedTuple):
     """Arrays of an ascent with n evaders and up to m columns."""
 
-    paths: Table  # (n, PATH)
-    trial_paths: Table  # (n, PATH)
+    here: Point
+    there: Point  # of the trial
     turns: Floats  # (n,) of the trial
     first_turns: Floats  # (n,) of the trial before its correction
-    times: Floats  # (m, n) capture times of each column
-    trial_times: Floats  # (m, n)
-    found: Ints  # (n,) the sequence that the dynamic programme found
-    subsets: SubsetScratch
+    found: Ints  # (n,) the sequence that the search for the worst found
+    worst: WorstScratch
     model: ModelScratch
+    one: Columns  # a single column, which stands for a mean
 
 
 class Tally(NamedTuple):
@@ -62,19 +70,19 @@ class Tally(NamedTuple):
 
 
 @allocating
-def ascent_scratch(n: int) -> AscentScratch:
+def ascent_scratch(n: int, total: bool = False) -> AscentScratch:
     """Allocate the scratch of `ascend` for teams of up to n."""
-    m = most_columns(n)
+    one = make_columns(n)
+    one.used[0], one.weights[0] = 1, 1.0
     return AscentScratch(
-        np.empty((n, PATH)),
-        np.empty((n, PATH)),
+        make_point(n),
+        make_point(n),
         np.empty(n),
         np.empty(n),
-        np.empty((m, n)),
-        np.empty((m, n)),
         np.empty(n, np.int64),
-        subset_scratch(n),
+        worst_scratch(n, total),
         model_scratch(n),
+        one,
     )
 
 
@@ -82,6 +90,7 @@ def ascent_scratch(n: int) -> AscentScratch:
 def ascend(
     evaders: Table,
     pursuit: Pursuit,
+    total: bool,
     turns: Floats,
     columns: Columns,
     box: float,
@@ -92,72 +101,61 @@ def ascend(
 ) -> tuple[float, int, Tally]:
     """Improve `turns` in place to a local maximum; return its exact value, how it ended, the cost.
 
-    The value never falls below that of the turns given. `box` is the largest first change of a
-    turn; the ascent has converged when the model promises less than `tolerance`, relative. The
-    turns are `known` to be worth so much at least (-inf: nothing is known); where a column says
-    that they aren't worth more, the dynamic programme needn't be asked.
+    The value, the least over all sequences of the last capture or of the `total`, never falls below
+    that of the turns given. `box` is the largest first change of a turn; the ascent has converged
+    when the model promises less than `tolerance`, relative. The turns are `known` to be worth so
+    much at least (-inf: nothing is known); where a column says that they aren't worth more, the
+    worst sequence needn't be searched.
     """
     n = len(turns)
-    paths, trial_paths = scratch.paths, scratch.trial_paths
-    times, trial_times = scratch.times, scratch.trial_times
-    set_paths(evaders, turns, pursuit.speed, paths)
-    value = column_times(paths, n, pursuit, columns, times)
+    here, there = scratch.here, scratch.there
+    set_paths(evaders, turns, pursuit.speed, here.paths)
+    value = evaluate(here, n, pursuit, total, columns)
     programmes = interceptions = steps = 0
     ended = STEPS_USED_UP
     settled = value <= known * (1.0 + _ROUNDING)
     if settled:
         value = known
     else:
-        value, _, interceptions = _exact_value(paths, n, pursuit, columns, value, times, scratch)
+        value, _, interceptions = _exact_value(here, n, pursuit, total, columns, value, scratch)
         programmes = 1
     straightened, unit = False, 1.0
     moved = True  # gradients and curvature belong to other turns
     while steps < most_steps:
         if moved:
             unit = unit_of(value)
-            linearise(paths, n, pursuit, columns, times, unit, scratch.model)
-            straightened = shape(n, columns, times, True, unit, scratch.model)
-        promise = best_step(turns, n, columns, times, box, unit, scratch.model)
+            linearise(here, n, pursuit, total, columns, unit, scratch.model)
+            straightened = shape(n, columns, here.values, True, unit, scratch.model)
+        promise = best_step(turns, n, columns, here.values, box, unit, scratch.model)
         if straightened and promise - value <= tolerance * value:
-            straightened = shape(n, columns, times, False, unit, scratch.model)
-            promise = best_step(turns, n, columns, times, box, unit, scratch.model)
+            straightened = shape(n, columns, here.values, False, unit, scratch.model)
+            promise = best_step(turns, n, columns, here.values, box, unit, scratch.model)
         if promise - value <= tolerance * value:
             if settled and steps == 0:  # it was no saddle when it was found
                 ended = CONVERGED
                 break
             promise = _way_off_a_saddle(
-                evaders, n, pursuit, turns, columns, times, unit, trial_paths, trial_times, scratch
+                evaders, n, pursuit, total, turns, columns, here, unit, there, scratch
             )
             if promise - value <= 2.0 * tolerance * value:
                 ended = CONVERGED
                 break
         steps += 1
-        trial = _try_step(evaders, n, pursuit, turns, columns, trial_paths, trial_times, scratch)
+        trial = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
         for _ in range(_MOST_CORRECTIONS):
             if trial - value < _DISAPPOINTING * (promise - value):
                 trial = _correct(
-                    evaders,
-                    n,
-                    pursuit,
-                    turns,
-                    columns,
-                    trial,
-                    box,
-                    unit,
-                    trial_paths,
-                    trial_times,
-                    scratch,
+                    evaders, n, pursuit, total, turns, columns, trial, box, unit, there, scratch
                 )
             if trial <= value:
                 break
-            trial, joined, cost = _exact_value(
-                trial_paths, n, pursuit, columns, trial, trial_times, scratch
-            )
+            trial, joined, cost = _exact_value(there, n, pursuit, total, columns, trial, scratch)
             programmes += 1
             interceptions += cost
             if joined < 0:
                 break
-            linearise_one(paths, n, pursuit, columns, joined, times, unit, scratch.model)
+            evaluate_one(here, n, pursuit, total, columns, joined)
+            linearise_one(here, n, pursuit, total, columns, joined, unit, scratch.model)
             if trial > value:
                 break
         gained = (trial - value) / (promise - value)
@@ -169,16 +167,25 @@ def ascend(
             value = trial
             for i in range(n):
                 turns[i] = scratch.turns[i]
-            paths, trial_paths = trial_paths, paths
-            times, trial_times = trial_times, times
-        if gained < 0.25:
-            box = (0.5 if gained > -1.0 else 0.25) * longest
-        elif gained > 0.7:
-            box = min(max(box, 2.0 * longest), math.pi)
-        if box < _LEAST_BOX:
+            here, there = there, here
+        box = resized(box, gained, longest)
+        if box < LEAST_BOX:
             ended = STALLED
             break
     return value, ended, Tally(steps, programmes, interceptions)
+
+
+@inlined
+def resized(box: float, gained: float, longest: float) -> float:
+    """The box of the next step, after one that changed a turn by at most `longest`.
+
+    It `gained` such a share of what was promised.
+    """
+    if gained < 0.25:
+        return (0.5 if gained > -1.0 else 0.25) * longest
+    if gained > 0.7:
+        return min(max(box, 2.0 * longest), math.pi)
+    return box
 
 
 @compiled
@@ -186,17 +193,17 @@ def _try_step(
     evaders: Table,
     n: int,
     pursuit: Pursuit,
+    total: bool,
     turns: Floats,
     columns: Columns,
-    paths: Table,
-    times: Table,
+    there: Point,
     scratch: AscentScratch,
 ) -> float:
     """Move `turns` by the step; return the least of the columns there, no less than the value."""
     for i in range(n):
         scratch.turns[i] = min(max(turns[i] + scratch.model.step[i], -math.pi), math.pi)
-    set_paths(evaders, scratch.turns[:n], pursuit.speed, paths)
-    return column_times(paths, n, pursuit, columns, times)
+    set_paths(evaders, scratch.turns[:n], pursuit.speed, there.paths)
+    return evaluate(there, n, pursuit, total, columns)
 
 
 @compiled
@@ -204,54 +211,49 @@ def _correct(
     evaders: Table,
     n: int,
     pursuit: Pursuit,
+    total: bool,
     turns: Floats,
     columns: Columns,
     trial: float,
     box: float,
     unit: float,
-    paths: Table,
-    times: Table,
+    there: Point,
     scratch: AscentScratch,
 ) -> float:
     """Replace a trial that disappoints by its second-order correction, if that is better."""
     for i in range(n):
         scratch.first_turns[i] = scratch.turns[i]
-    corrected_step(turns, scratch.turns, n, columns, times, box, unit, scratch.model)
-    second = _try_step(evaders, n, pursuit, turns, columns, paths, times, scratch)
+    corrected_step(turns, scratch.turns, n, columns, there.values, box, unit, scratch.model)
+    second = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
     if second > trial:
         return second
     for i in range(n):
         scratch.turns[i] = scratch.first_turns[i]
-    set_paths(evaders, scratch.turns[:n], pursuit.speed, paths)
-    return column_times(paths, n, pursuit, columns, times)
+    set_paths(evaders, scratch.turns[:n], pursuit.speed, there.paths)
+    return evaluate(there, n, pursuit, total, columns)
 
 
 @compiled
 def _exact_value(
-    paths: Table,
+    point: Point,
     n: int,
     pursuit: Pursuit,
+    total: bool,
     columns: Columns,
     bound: float,
-    times: Table,
     scratch: AscentScratch,
 ) -> tuple[float, int, int]:
     """The exact minimum over all sequences, where `bound` is the least of the columns.
 
     Returns also the column that joined because it is below the bound, or -1, and the cost.
     """
-    least, interceptions = least_time(
-        paths,
-        n,
-        pursuit,
-        bound,
-        scratch.found,
-        scratch.subsets,
+    least, interceptions = least_value(
+        point.paths, n, pursuit, total, bound, scratch.found, scratch.worst
     )
     joined = -1
     if least < bound:
-        joined = join(columns, n, scratch.found, times)
-        capture_times(paths, pursuit, columns.sequences[joined, :n], times[joined])
+        joined = join(columns, n, scratch.found, point.values)
+        evaluate_one(point, n, pursuit, total, columns, joined)
     return least, joined, interceptions
 
 
@@ -260,12 +262,12 @@ def _way_off_a_saddle(
     evaders: Table,
     n: int,
     pursuit: Pursuit,
+    total: bool,
     turns: Floats,
     columns: Columns,
-    times: Table,
+    here: Point,
     unit: float,
-    trial_paths: Table,
-    trial_times: Table,
+    there: Point,
     scratch: AscentScratch,
 ) -> float:
     """Write the step along the direction that bends upwards most; return what the columns reach.
@@ -273,14 +275,14 @@ def _way_off_a_saddle(
     Where no gradient is left the ascent may stand on a saddle. -inf if nothing bends upwards.
     """
     step = scratch.model.step
-    if not direction_upwards(n, columns, times, unit, scratch.model):
+    if not direction_upwards(n, columns, here.values, unit, scratch.model):
         return -math.inf
     for i in range(n):
         step[i] *= -_STRIDE
-    back = _try_step(evaders, n, pursuit, turns, columns, trial_paths, trial_times, scratch)
+    back = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
     for i in range(n):
         step[i] = -step[i]
-    forth = _try_step(evaders, n, pursuit, turns, columns, trial_paths, trial_times, scratch)
+    forth = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
     if back > forth:
         for i in range(n):
             step[i] = -step[i]

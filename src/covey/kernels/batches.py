@@ -46,12 +46,13 @@ def game_of(states: State, b: int) -> State:
 
 @compiled
 def memory_of(memories: TeamMemory, b: int) -> TeamMemory:
-    """What the team of game b remembers, not a copy."""
+    """What the team of game b remembers, not a copy; all have the same aim."""
     columns = memories.columns
     return TeamMemory(
         Columns(columns.used[b], columns.sequences[b], columns.weights[b]),
         memories.noise[b],
         memories.last[b],
+        memories.aim,
     )
 
 
@@ -99,7 +100,9 @@ def fly_teams(
             state.turns[row] = turns[b, state.ids[row]]
         announce(state, rules)
         pursuit = chase_from(state, rules)
-        commit(state.paths, alive, pursuit, margin, followed[b] != 0, sequence, times, scratch)
+        commit(
+            state.paths, alive, pursuit, False, margin, followed[b] != 0, sequence, times, scratch
+        )
         followed[b] = 1
         taken = fly(state, rules, sequence[0], 0.0, 0.0)
         if taken != NOBODY:

@@ -10,8 +10,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels._jit import allocating, compiled
-from covey.kernels.sequence import capture_times
+from covey.kernels._jit import allocating, compiled, inlined
+from covey.kernels.path import PATH
+from covey.kernels.sequence import capture_times, measured
 from covey.kernels.types import Floats, Ints, Pursuit, Table
 
 
@@ -21,6 +22,14 @@ class Columns(NamedTuple):
     used: Ints  # (1,) how many rows
     sequences: Ints  # (m, n)
     weights: Floats  # (m,) multipliers of the last step: the sequences' shares in its curvature
+
+
+class Point(NamedTuple):
+    """What there is to know at some turns of n evaders, for up to m columns."""
+
+    paths: Table  # (n, PATH)
+    times: Table  # (m, n) capture times of each column
+    values: Floats  # (m,) what is measured of them
 
 
 @compiled
@@ -36,26 +45,43 @@ def make_columns(n: int) -> Columns:
     return Columns(np.zeros(1, np.int64), np.empty((m, n), np.int64), np.zeros(m))
 
 
+@allocating
+def make_point(n: int) -> Point:
+    """Room for a point of up to n turns."""
+    m = most_columns(n)
+    return Point(np.empty((n, PATH)), np.empty((m, n)), np.empty(m))
+
+
 @compiled
-def column_times(paths: Table, n: int, pursuit: Pursuit, columns: Columns, times: Table) -> float:
-    """Write the capture times of all columns; return the least of their last ones."""
-    value = math.inf
+def evaluate(point: Point, n: int, pursuit: Pursuit, total: bool, columns: Columns) -> float:
+    """Write what the columns come to on the point's paths; return the least."""
+    least = math.inf
     for s in range(columns.used[0]):
-        value = min(value, capture_times(paths, pursuit, columns.sequences[s, :n], times[s]))
-    return value
+        least = min(least, evaluate_one(point, n, pursuit, total, columns, s))
+    return least
+
+
+@inlined
+def evaluate_one(
+    point: Point, n: int, pursuit: Pursuit, total: bool, columns: Columns, s: int
+) -> float:
+    """Write what column s comes to, and return it."""
+    capture_times(point.paths, pursuit, columns.sequences[s, :n], point.times[s])
+    point.values[s] = measured(point.times[s], n, total)
+    return point.values[s]
 
 
 @compiled
-def join(columns: Columns, n: int, sequence: Ints, times: Floats) -> int:
-    """Add a column; where all rows are taken, in place of the idle one that is captured last."""
+def join(columns: Columns, n: int, sequence: Ints, values: Floats) -> int:
+    """Add a column; where all rows are taken, in place of the idle one of the largest value."""
     slot = columns.used[0]
     if slot < len(columns.weights):
         columns.used[0] += 1
     else:
         slot, idlest = 0, -math.inf
         for s in range(len(columns.weights)):
-            if columns.weights[s] == 0.0 and times[s, n - 1] > idlest:
-                slot, idlest = s, times[s, n - 1]
+            if columns.weights[s] == 0.0 and values[s] > idlest:
+                slot, idlest = s, values[s]
     for k in range(n):
         columns.sequences[slot, k] = sequence[k]
     columns.weights[slot] = 0.0

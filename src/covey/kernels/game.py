@@ -104,7 +104,7 @@ def write_page(
             pursuit_from(state, rules),
             math.inf,
             scratch.found,
-            scratch.subsets,
+            scratch.worst.subsets,
         )
         for k in range(n):
             pages.critical[page, k] = state.ids[scratch.found[k]]
@@ -137,7 +137,17 @@ def play(
         alive = state.alive[0]
         announce(state, rules)
         pursuit = chase_from(state, rules)
-        commit(state.paths, alive, pursuit, margin, known, sequence, sequence_times, scratch)
+        commit(
+            state.paths,
+            alive,
+            pursuit,
+            memory.aim.total,
+            margin,
+            known,
+            sequence,
+            sequence_times,
+            scratch,
+        )
         known = True
         if recorded:
             if page + 2 > len(pages.times):

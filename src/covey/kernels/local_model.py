@@ -12,11 +12,11 @@ from typing import NamedTuple
 import numpy as np
 
 from covey.kernels._jit import allocating, compiled, inlined
-from covey.kernels.columns import Columns, most_columns
+from covey.kernels.columns import Columns, Point, most_columns
 from covey.kernels.definite import diagonalise, factorise, make_positive
 from covey.kernels.quadratic import QuadraticScratch, quadratic_scratch, solve_quadratic
-from covey.kernels.sequence import CAPTURE, add_curvature, capture_times, differentiate
-from covey.kernels.types import Floats, Pursuit, Table
+from covey.kernels.sequence import CAPTURE, add_curvature, differentiate
+from covey.kernels.types import Floats, Pursuit
 
 _PENALTY = 20.0  # of the curvature, across the active columns
 
@@ -73,38 +73,35 @@ def unit_of(value: float) -> float:
 
 @compiled
 def linearise(
-    paths: Table,
+    point: Point,
     n: int,
     pursuit: Pursuit,
+    total: bool,
     columns: Columns,
-    times: Floats,
     unit: float,
     scratch: ModelScratch,
 ) -> None:
     """Gradients of all columns, and the curvature of their Lagrangian, sign turned."""
     count, weights = columns.used[0], columns.weights
-    worst, total = 0, 0.0
+    worst, held = 0, 0.0
     for s in range(count):
-        total += weights[s]
-        if times[s, n - 1] < times[worst, n - 1]:
+        held += weights[s]
+        if point.values[s] < point.values[worst]:
             worst = s
-    if total == 0.0:
+    if held == 0.0:
         weights[worst] = 1.0
     curvature = scratch.curvature
     for i in range(n):
         for j in range(n):
             curvature[i, j] = 0.0
     for s in range(count):
-        sequence = columns.sequences[s, :n]
-        differentiate(paths, pursuit, sequence, times[s], scratch.captures, scratch.gradients[s])
-        for i in range(n):
-            scratch.gradients[s, i] *= unit
+        linearise_one(point, n, pursuit, total, columns, s, unit, scratch)
         if weights[s] > 0.0:
             add_curvature(
-                paths,
+                point.paths,
                 pursuit,
-                sequence,
-                times[s],
+                columns.sequences[s, :n],
+                point.times[s],
                 scratch.captures,
                 -weights[s] * unit,
                 scratch.slopes,
@@ -112,28 +109,34 @@ def linearise(
             )
 
 
-@compiled
+@inlined
 def linearise_one(
-    paths: Table,
+    point: Point,
     n: int,
     pursuit: Pursuit,
+    total: bool,
     columns: Columns,
     s: int,
-    times: Table,
     unit: float,
     scratch: ModelScratch,
 ) -> None:
-    """Capture times and gradient, at the present turns, of a column that joined at other ones."""
-    sequence = columns.sequences[s, :n]
-    capture_times(paths, pursuit, sequence, times[s])
-    differentiate(paths, pursuit, sequence, times[s], scratch.captures, scratch.gradients[s])
+    """Gradient of one column."""
+    differentiate(
+        point.paths,
+        pursuit,
+        columns.sequences[s, :n],
+        total,
+        point.times[s],
+        scratch.captures,
+        scratch.gradients[s],
+    )
     for i in range(n):
         scratch.gradients[s, i] *= unit
 
 
 @compiled
 def shape(
-    n: int, columns: Columns, times: Table, straighten: bool, unit: float, scratch: ModelScratch
+    n: int, columns: Columns, values: Floats, straighten: bool, unit: float, scratch: ModelScratch
 ) -> bool:
     """Factor the curvature for the quadratic programme; return whether it was straightened.
 
@@ -147,7 +150,7 @@ def shape(
     if factorise(scratch.curvature, n, scratch.factor):
         return False
     _copy_curvature(n, scratch)
-    straightened = straighten and _penalise(n, columns, times, unit, scratch)
+    straightened = straighten and _penalise(n, columns, values, unit, scratch)
     if not factorise(scratch.shaped, n, scratch.factor):
         make_positive(scratch.shaped, n, scratch.vectors, scratch.sizes)
         factorise(scratch.shaped, n, scratch.factor)
@@ -156,7 +159,7 @@ def shape(
 
 @compiled
 def direction_upwards(
-    n: int, columns: Columns, times: Table, unit: float, scratch: ModelScratch
+    n: int, columns: Columns, values: Floats, unit: float, scratch: ModelScratch
 ) -> bool:
     """Write the direction that bends upwards most, seen along the active columns, to the step.
 
@@ -165,7 +168,7 @@ def direction_upwards(
     if factorise(scratch.curvature, n, scratch.factor):
         return False
     _copy_curvature(n, scratch)
-    _penalise(n, columns, times, unit, scratch)
+    _penalise(n, columns, values, unit, scratch)
     if factorise(scratch.shaped, n, scratch.factor):
         return False
     diagonalise(scratch.shaped, n, scratch.vectors)
@@ -186,7 +189,7 @@ def _copy_curvature(n: int, scratch: ModelScratch) -> None:
 
 
 @compiled
-def _penalise(n: int, columns: Columns, times: Table, unit: float, scratch: ModelScratch) -> bool:
+def _penalise(n: int, columns: Columns, values: Floats, unit: float, scratch: ModelScratch) -> bool:
     """Add to `shaped` and `pull` the penalty on active columns that differ; False if none do."""
     shaped, pull, mean, gradients = scratch.shaped, scratch.pull, scratch.step, scratch.gradients
     weights, count = columns.weights, columns.used[0]
@@ -196,7 +199,7 @@ def _penalise(n: int, columns: Columns, times: Table, unit: float, scratch: Mode
         for j in range(i + 1):
             size = max(size, abs(shaped[i, j]))
     for s in range(count):
-        value += weights[s] * times[s, n - 1]
+        value += weights[s] * values[s]
         for i in range(n):
             mean[i] += weights[s] * gradients[s, i]
     shortest = math.inf
@@ -214,7 +217,7 @@ def _penalise(n: int, columns: Columns, times: Table, unit: float, scratch: Mode
         if weights[s] > 0.0:
             for i in range(n):
                 off = penalty * (gradients[s, i] - mean[i])
-                pull[i] -= off * unit * (times[s, n - 1] - value)
+                pull[i] -= off * unit * (values[s] - value)
                 for j in range(i + 1):
                     shaped[i, j] += off * (gradients[s, j] - mean[j])
     return True
@@ -225,14 +228,14 @@ def best_step(
     turns: Floats,
     n: int,
     columns: Columns,
-    times: Floats,
+    values: Floats,
     box: float,
     unit: float,
     scratch: ModelScratch,
 ) -> float:
     """Write the step that the model thinks best inside the box; return the value it promises."""
     for s in range(columns.used[0]):
-        scratch.values[s] = unit * times[s, n - 1]
+        scratch.values[s] = unit * values[s]
     return _solve(turns, n, columns, box, scratch) / unit
 
 
@@ -242,7 +245,7 @@ def corrected_step(
     trial: Floats,
     n: int,
     columns: Columns,
-    tried: Table,
+    tried: Floats,
     box: float,
     unit: float,
     scratch: ModelScratch,
@@ -253,7 +256,7 @@ def corrected_step(
     of them falls short of the promise, however small the step (the Maratos effect).
     """
     for s in range(columns.used[0]):
-        scratch.values[s] = unit * tried[s, n - 1]
+        scratch.values[s] = unit * tried[s]
         for i in range(n):
             scratch.values[s] -= scratch.gradients[s, i] * (trial[i] - turns[i])
     _solve(turns, n, columns, box, scratch)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled
+from covey.kernels.aim import Aim, rule_out, spent
 from covey.kernels.columns import Columns, forget_captured
 from covey.kernels.replanning import replan
 from covey.kernels.rules import NOBODY, Rules, State, pursuit_from
@@ -28,6 +29,7 @@ class TeamMemory(NamedTuple):
     columns: Columns
     noise: Table  # lays out the other starts
     last: Floats  # (2,) time and worth of the last plan; worth -inf: not known
+    aim: Aim
 
 
 @compiled
@@ -43,19 +45,23 @@ def plan_again(
 
     `taken` is the row in which somebody was captured and has been removed, or `NOBODY`.
     """
-    alive, columns, since = state.alive[0], memory.columns, state.time[0] - memory.last[0]
+    alive, columns, aim = state.alive[0], memory.columns, memory.aim
+    since = state.time[0] - memory.last[0]
     if taken != NOBODY:
         forget_captured(columns, alive + 1, taken)
+        if aim.expected:
+            rule_out(aim.draws, alive + 1, taken)
     if team.replans and alive > 0 and (taken != NOBODY or since >= team.replan_time):
         memory.last[1] = replan(
             state.evaders,
             alive,
             pursuit_from(state, rules),
+            aim,
             memory.noise,
             team.restarts if taken != NOBODY else 0,
             team.tolerance,
             team.most_steps,
-            memory.last[1] - since,
+            memory.last[1] - spent(since, alive + (taken != NOBODY), aim.total),
             state.turns,
             columns,
             search,

@@ -9,13 +9,15 @@ from __future__ import annotations
 import math
 
 from covey.kernels._jit import compiled
-from covey.kernels.ascent import AscentScratch, ascend
+from covey.kernels.aim import Aim
+from covey.kernels.ascent import AscentScratch
+from covey.kernels.climb import climb
 from covey.kernels.columns import Columns
 from covey.kernels.search import WARM_BOX, SearchScratch, search
-from covey.kernels.sequence import capture_times
+from covey.kernels.sequence import capture_times, measured
 from covey.kernels.starts import enter
-from covey.kernels.subsets import least_time
 from covey.kernels.types import Floats, Ints, Pursuit, Table
+from covey.kernels.worst import least_value
 
 MOST_STEPS = 8
 """Steps of an update that goes on from the last plan."""
@@ -26,6 +28,7 @@ def replan(
     evaders: Table,
     n: int,
     pursuit: Pursuit,
+    aim: Aim,
     noise: Table,
     followed: int,
     tolerance: float,
@@ -41,9 +44,10 @@ def replan(
     plan was worth, less the time since, whatever a pursuer did that keeps to the rules. An update
     without other starts is short: what it leaves undone the next one does.
     """
-    value, _, _ = ascend(
+    value, _, _ = climb(
         evaders,
         pursuit,
+        aim,
         turns[:n],
         columns,
         WARM_BOX,
@@ -60,6 +64,7 @@ def replan(
             evaders,
             n,
             pursuit,
+            aim,
             noise,
             followed,
             value,
@@ -78,6 +83,7 @@ def commit(
     paths: Table,
     n: int,
     pursuit: Pursuit,
+    total: bool,
     margin: float,
     known: bool,
     sequence: Ints,
@@ -86,18 +92,13 @@ def commit(
 ) -> None:
     """Replace the `sequence` a pursuer follows where another is better by more than `margin`.
 
-    The margin is relative to the time that the one followed still takes; inf keeps it for ever.
+    Better is an earlier last capture or a smaller `total`. The margin is relative to what the one
+    followed still comes to; inf keeps it for ever.
     Where none is `known` yet, the best is taken.
     """
     bound = math.inf
     if known:
-        bound = capture_times(paths, pursuit, sequence[:n], times) * (1.0 - margin)
+        capture_times(paths, pursuit, sequence[:n], times)
+        bound = measured(times, n, total) * (1.0 - margin)
     if bound > 0.0:
-        least_time(
-            paths,
-            n,
-            pursuit,
-            bound,
-            sequence,
-            scratch.subsets,
-        )
+        least_value(paths, n, pursuit, total, bound, sequence, scratch.worst)

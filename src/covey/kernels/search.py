@@ -11,10 +11,11 @@ from typing import NamedTuple
 import numpy as np
 
 from covey.kernels._jit import allocating, compiled, inlined
-from covey.kernels.ascent import AscentScratch, Tally, ascend, ascent_scratch
-from covey.kernels.columns import Columns, copy_columns, make_columns
+from covey.kernels.aim import Aim
+from covey.kernels.ascent import AscentScratch, Tally, ascent_scratch
+from covey.kernels.climb import climb
+from covey.kernels.columns import Columns, copy_columns, evaluate, make_columns
 from covey.kernels.path import set_paths
-from covey.kernels.sequence import capture_times
 from covey.kernels.starts import BATCH, Elite, enter, lay_out, make_elite
 from covey.kernels.types import Floats, Pursuit, Table
 
@@ -37,7 +38,7 @@ class SearchScratch(NamedTuple):
 
 
 @allocating
-def search_scratch(n: int) -> SearchScratch:
+def search_scratch(n: int, total: bool = False) -> SearchScratch:
     """Allocate the scratch of a search."""
     return SearchScratch(
         np.empty(n),
@@ -45,7 +46,7 @@ def search_scratch(n: int) -> SearchScratch:
         make_columns(n),
         Elite(np.empty(BATCH), np.empty((BATCH, n))),
         make_elite(n),
-        ascent_scratch(n),
+        ascent_scratch(n, total),
     )
 
 
@@ -54,6 +55,7 @@ def search(
     evaders: Table,
     n: int,
     pursuit: Pursuit,
+    aim: Aim,
     noise: Table,
     count: int,
     best: float,
@@ -73,7 +75,7 @@ def search(
     ended, total = 0, Tally(0, 0, 0)
     for start in range(count):
         value, how, cost = follow(
-            evaders, n, pursuit, noise, start, tolerance, most_steps, elite, scratch
+            evaders, n, pursuit, aim, noise, start, tolerance, most_steps, elite, scratch
         )
         total = added(total, cost)
         if is_better(value, best):
@@ -111,6 +113,7 @@ def follow(
     evaders: Table,
     n: int,
     pursuit: Pursuit,
+    aim: Aim,
     noise: Table,
     start: int,
     tolerance: float,
@@ -123,6 +126,7 @@ def follow(
         evaders,
         n,
         pursuit,
+        aim,
         noise,
         start,
         elite,
@@ -131,9 +135,10 @@ def follow(
         scratch.ascent,
     )
     scratch.columns.used[0] = 0
-    return ascend(
+    return climb(
         evaders,
         pursuit,
+        aim,
         scratch.turns[:n],
         scratch.columns,
         FIRST_BOX,
@@ -152,25 +157,31 @@ class Found(NamedTuple):
     cost: Tally
     turns: Floats  # (n,)
     columns: Columns
-    ends: Floats  # when each column ends
+    values: Floats  # what each column comes to; of no use where a mean is taken
 
 
 @allocating
 def continue_plan(
     evaders: Table,
     pursuit: Pursuit,
+    aim: Aim,
     turns: Floats,
     columns: Columns,
     tolerance: float,
     most_steps: int,
 ) -> Found:
     """Ascend from `turns` and `columns`, which are overwritten."""
-    scratch = ascent_scratch(len(turns))
-    value, ended, cost = ascend(
-        evaders, pursuit, turns, columns, WARM_BOX, tolerance, most_steps, -math.inf, scratch
+    scratch = ascent_scratch(len(turns), aim.total)
+    value, ended, cost = climb(
+        evaders, pursuit, aim, turns, columns, WARM_BOX, tolerance, most_steps, -math.inf, scratch
     )
     return Found(
-        value, ended, cost, turns, columns, _ends(evaders, pursuit, turns, columns, scratch)
+        value,
+        ended,
+        cost,
+        turns,
+        columns,
+        _column_values(evaders, pursuit, aim, turns, columns, scratch),
     )
 
 
@@ -178,6 +189,7 @@ def continue_plan(
 def search_all(
     evaders: Table,
     pursuit: Pursuit,
+    aim: Aim,
     noise: Table,
     count: int,
     tolerance: float,
@@ -186,11 +198,12 @@ def search_all(
 ) -> Found:
     """`search`, with scratch of its own."""
     n = len(evaders)
-    turns, columns, scratch = np.zeros(n), make_columns(n), search_scratch(n)
+    turns, columns, scratch = np.zeros(n), make_columns(n), search_scratch(n, aim.total)
     value, ended, cost = search(
         evaders,
         n,
         pursuit,
+        aim,
         noise,
         count,
         -math.inf,
@@ -202,7 +215,12 @@ def search_all(
         scratch,
     )
     return Found(
-        value, ended, cost, turns, columns, _ends(evaders, pursuit, turns, columns, scratch.ascent)
+        value,
+        ended,
+        cost,
+        turns,
+        columns,
+        _column_values(evaders, pursuit, aim, turns, columns, scratch.ascent),
     )
 
 
@@ -210,6 +228,7 @@ def search_all(
 def follow_one(
     evaders: Table,
     pursuit: Pursuit,
+    aim: Aim,
     noise: Table,
     start: int,
     tolerance: float,
@@ -218,23 +237,31 @@ def follow_one(
 ) -> Found:
     """`follow`, with scratch of its own."""
     n = len(evaders)
-    scratch = search_scratch(n)
+    scratch = search_scratch(n, aim.total)
     value, ended, cost = follow(
-        evaders, n, pursuit, noise, start, tolerance, most_steps, elite, scratch
+        evaders, n, pursuit, aim, noise, start, tolerance, most_steps, elite, scratch
     )
     turns, columns = scratch.turns, scratch.columns
     return Found(
-        value, ended, cost, turns, columns, _ends(evaders, pursuit, turns, columns, scratch.ascent)
+        value,
+        ended,
+        cost,
+        turns,
+        columns,
+        _column_values(evaders, pursuit, aim, turns, columns, scratch.ascent),
     )
 
 
 @allocating
-def _ends(
-    evaders: Table, pursuit: Pursuit, turns: Floats, columns: Columns, scratch: AscentScratch
+def _column_values(
+    evaders: Table,
+    pursuit: Pursuit,
+    aim: Aim,
+    turns: Floats,
+    columns: Columns,
+    scratch: AscentScratch,
 ) -> Floats:
-    """When each column ends."""
-    ends = np.empty(columns.used[0])
-    set_paths(evaders, turns, pursuit.speed, scratch.paths)
-    for s in range(len(ends)):
-        ends[s] = capture_times(scratch.paths, pursuit, columns.sequences[s], scratch.times[0])
-    return ends
+    """What each column comes to."""
+    set_paths(evaders, turns, pursuit.speed, scratch.here.paths)
+    evaluate(scratch.here, len(turns), pursuit, aim.total, columns)
+    return scratch.here.values[: columns.used[0]].copy()

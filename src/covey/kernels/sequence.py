@@ -2,14 +2,15 @@
 
 With T_k the k-th capture time, P_k its place and n_k the unit vector from P_{k-1} to P_k, the times
 solve  |P_k - P_{k-1}| - v_p (T_k - T_{k-1}) - r_k = 0.  The multipliers μ_k of these equations (one
-backward pass) give the gradient of T_N, and with the forward derivatives of the times its Hessian.
+backward pass) give the gradient of T_N, or of the sum of all T_k, and with the forward derivatives
+of the times its Hessian.
 """
 
 from __future__ import annotations
 
 import math
 
-from covey.kernels._jit import compiled
+from covey.kernels._jit import compiled, inlined
 from covey.kernels.interception import earliest_capture
 from covey.kernels.path import (
     HALF_RATE,
@@ -36,6 +37,17 @@ def capture_times(paths: Table, pursuit: Pursuit, sequence: Ints, times: Floats)
     return time
 
 
+@inlined
+def measured(times: Floats, n: int, total: bool) -> float:
+    """What counts of n capture times, which don't decrease: the last one, or their sum."""
+    if not total:
+        return times[n - 1]
+    value = 0.0
+    for k in range(n):
+        value += times[k]
+    return value
+
+
 # What a capture contributes to the derivatives: a row of these numbers for each k.
 NORMAL_X, NORMAL_Y, CLOSENESS, SPEED_X, SPEED_Y, SWING_X, SWING_Y, MULTIPLIER, PULL_X, PULL_Y = (
     range(10)
@@ -48,11 +60,12 @@ def differentiate(
     paths: Table,
     pursuit: Pursuit,
     sequence: Ints,
+    total: bool,
     times: Floats,
     captures: Floats,
     gradient: Floats,
 ) -> None:
-    """Write the gradient of the last capture time by every evader's turn (eq. 6's objective).
+    """Write the gradient by every evader's turn of what is `measured` (eq. 6's objective).
 
     `captures` receives what `add_curvature` needs. An evader that is in the disk when its turn to
     be captured comes is captured at that instant: T_k = T_{k-1}, which is the equation above with
@@ -81,9 +94,9 @@ def differentiate(
 
     multiplier, next_x, next_y = 0.0, 0.0, 0.0
     for k in range(last, -1, -1):
-        onward = 1.0
+        onward = 1.0 if total or k == last else 0.0
         if k < last:
-            onward = multiplier * (
+            onward += multiplier * (
                 pursuit.speed - next_x * captures[k, SPEED_X] - next_y * captures[k, SPEED_Y]
             )
         pull_x, pull_y = -multiplier * next_x, -multiplier * next_y
@@ -112,9 +125,9 @@ def add_curvature(
     slopes: Floats,
     hessian: Floats,
 ) -> None:
-    """Add `weight` times the Hessian of the last capture time to the lower triangle of `hessian`.
+    """Add `weight` times the Hessian of what is `measured` to the lower triangle of `hessian`.
 
-    The Hessian of T_N is Z' (∇² of Σ μ_k * equation k) Z, Z the derivatives of times and turns by
+    It is Z' (∇² of Σ μ_k * equation k) Z, Z the derivatives of times and turns by
     the turns. `slopes` (3, n) is scratch: the derivatives of T_{k-1} and T_k, and of the distance
     across n_k.
     """

@@ -8,9 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from covey.kernels._jit import allocating, compiled
+from covey.kernels.aim import Aim
 from covey.kernels.ascent import AscentScratch
-from covey.kernels.path import HEADING, TURN_RATE, X, Y, set_paths, wrapped
-from covey.kernels.subsets import least_time, nearest_first
+from covey.kernels.climb import worth
+from covey.kernels.path import HEADING, TURN_RATE, X, Y, wrapped
 from covey.kernels.types import Floats, Pursuit, Table
 
 CANDIDATES = 8
@@ -67,6 +68,7 @@ def lay_out(
     evaders: Table,
     n: int,
     pursuit: Pursuit,
+    aim: Aim,
     noise: Table,
     start: int,
     elite: Elite,
@@ -91,9 +93,9 @@ def lay_out(
             _vary(evaders, n, noise, row, start % ELITE, elite, candidate)
         else:
             _turn_at_random(evaders, n, pursuit, noise, row, row % 2 == 0, candidate)
-        worth = _worth(evaders, n, pursuit, candidate, best, scratch)
-        if worth > best:
-            best = worth
+        value = worth(evaders, n, pursuit, aim, candidate, best, scratch)
+        if value > best:
+            best = value
             for i in range(n):
                 turns[i] = candidate[i]
 
@@ -149,16 +151,3 @@ def _away(evaders: Table, n: int, pursuit: Pursuit, turns: Floats) -> None:
         turns[i] = 0.0
         if evaders[i, TURN_RATE] > 0.0:
             turns[i] = wrapped(math.atan2(off_y, off_x) - evaders[i, HEADING])
-
-
-@compiled
-def _worth(
-    evaders: Table, n: int, pursuit: Pursuit, turns: Floats, enough: float, scratch: AscentScratch
-) -> float:
-    """The exact value of a candidate, or -inf where one sequence shows that it isn't `enough`."""
-    set_paths(evaders, turns[:n], pursuit.speed, scratch.paths)
-    bound = nearest_first(scratch.paths, n, pursuit)
-    if bound <= enough:
-        return -math.inf
-    value, _ = least_time(scratch.paths, n, pursuit, bound, scratch.found, scratch.subsets)
-    return value

@@ -20,7 +20,7 @@ def stationarity(
     gradient, hessian = np.empty(n), np.zeros((n, n))
     set_paths(evaders, turns, pursuit.speed, paths)
     last = capture_times(paths, pursuit, sequence, times)
-    differentiate(paths, pursuit, sequence, times, captures, gradient)
+    differentiate(paths, pursuit, sequence, False, times, captures, gradient)
     add_curvature(paths, pursuit, sequence, times, captures, 1.0, np.empty((3, n)), hessian)
     for i in range(n):
         for j in range(i):

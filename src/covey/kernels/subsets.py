@@ -68,7 +68,7 @@ def least_time(
     ahead, deadlines = scratch.ahead, scratch.deadlines
     full = (1 << n) - 1
     if bound == math.inf:
-        bound = nearest_first(paths, n, pursuit) * (1.0 + _SLACK) + _LEAST
+        bound = nearest_first(paths, n, pursuit, False) * (1.0 + _SLACK) + _LEAST
     set_lines(paths, n, scratch.lines)
     set_deadlines(paths, scratch.lines, n, pursuit, bound, deadlines)
     interceptions, waiting = n, 0
@@ -128,9 +128,10 @@ def least_time(
 
 
 @compiled
-def nearest_first(paths: Table, n: int, pursuit: Pursuit) -> float:
-    """Time of the sequence in which whoever can be captured soonest is the next."""
+def nearest_first(paths: Table, n: int, pursuit: Pursuit, total: bool) -> float:
+    """Last capture, or sum, of the sequence in which whoever can be captured soonest is next."""
     x, y, radius, time, caught = pursuit.center_x, pursuit.center_y, pursuit.first_radius, 0.0, 0
+    spent = 0.0
     for _ in range(n):
         nearest, soonest = 0, math.inf
         for i in range(n):
@@ -140,7 +141,8 @@ def nearest_first(paths: Table, n: int, pursuit: Pursuit) -> float:
                     nearest, soonest = i, arrival
         time, caught, radius = soonest, caught | 1 << nearest, pursuit.later_radius
         x, y = position(paths, nearest, time)
-    return time
+        spent += time
+    return spent if total else time
 
 
 @compiled

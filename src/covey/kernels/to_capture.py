@@ -83,6 +83,6 @@ def promise(state: State, rules: Rules, search: SearchScratch) -> float:
         pursuit_from(state, rules),
         math.inf,
         search.ascent.found,
-        search.ascent.subsets,
+        search.ascent.worst.subsets,
     )
     return state.time[0] + rest

@@ -1,8 +1,26 @@
-"""What a game is: teams, the pursuer's disk, angles. Frozen, and checked on construction."""
+"""What a game is: teams, the pursuer's disk, objectives, angles; frozen, checked when made."""
 
 from covey.model.angles import turns_to, wrap_angle
 from covey.model.checks import InputError
 from covey.model.disk import PursuerDisk
+from covey.model.objectives import (
+    ExpectedSurvival,
+    LastCapture,
+    Objective,
+    TotalSurvival,
+    measured,
+)
 from covey.model.team import Team
 
-__all__ = ["InputError", "PursuerDisk", "Team", "turns_to", "wrap_angle"]
+__all__ = [
+    "ExpectedSurvival",
+    "InputError",
+    "LastCapture",
+    "Objective",
+    "PursuerDisk",
+    "Team",
+    "TotalSurvival",
+    "measured",
+    "turns_to",
+    "wrap_angle",
+]

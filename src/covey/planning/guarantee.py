@@ -8,22 +8,34 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from covey.kernels.expected import expected_value
 from covey.kernels.path import PATH, set_paths
 from covey.kernels.sequence import capture_times as sequence_times
-from covey.kernels.subsets import MOST_EVADERS, least_time, subset_scratch
+from covey.kernels.subsets import MOST_EVADERS
 from covey.kernels.types import Pursuit
-from covey.model import InputError, PursuerDisk, Team
+from covey.kernels.worst import least_value, worst_scratch
+from covey.model import (
+    ExpectedSurvival,
+    InputError,
+    LastCapture,
+    Objective,
+    PursuerDisk,
+    Team,
+    TotalSurvival,
+)
 from covey.model.checks import Floats, frozen_array, permutation
+from covey.planning.aims import aim_of, checked_objective
 
 
 @dataclass(frozen=True)
 class Guarantee:
-    """A guaranteed survival time, and the capture sequence that attains it.
+    """A guaranteed survival time, or sum of them, and the capture sequence that attains it.
 
     Attributes
     ----------
     time : float
-        No pursuer in the disk can capture the last evader earlier.
+        No pursuer in the disk can capture the last evader earlier or, for `TotalSurvival`, bring
+        the sum of all survival times below.
     sequence : tuple of int
         Order of capture by which a pursuer that knows the plan needs just this time.
     """
@@ -101,7 +113,13 @@ def capture_times(
     return times
 
 
-def guaranteed_survival(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> Guarantee:
+def guaranteed_survival(
+    team: Team,
+    disk: PursuerDisk,
+    turns: npt.ArrayLike,
+    *,
+    objective: LastCapture | TotalSurvival = LastCapture(),  # noqa: B008 frozen
+) -> Guarantee:
     """Survival time that a plan guarantees: the exact minimum over all capture sequences.
 
     Parameters
@@ -110,6 +128,9 @@ def guaranteed_survival(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> 
         The state of the game; up to 18 evaders.
     turns
         (N,) signed turns δ, radians.
+    objective
+        Of what: the last capture, or `TotalSurvival()`, the sum of all survival times, for up to 16
+        evaders.
 
     Returns
     -------
@@ -125,20 +146,71 @@ def guaranteed_survival(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> 
     Notes
     -----
     The two inner minima of eq. (6), by dynamic programming over subsets (Held and Karp, 1962)
-    instead of N! sequences; memory 16 N 2^N bytes.
+    instead of N! sequences; memory 16 N 2^N bytes. For the sum a state needs pairs of the time and
+    the sum so far, docs/decisions/0009; memory 80 N 2^N bytes.
     """
     check_game(team, disk)
+    if isinstance(objective, ExpectedSurvival):
+        raise InputError(
+            "objective: expected LastCapture() or TotalSurvival(), got an expectation, which "
+            "guarantees nothing; expected_survival computes it"
+        )
     n = len(team)
+    aim = aim_of(checked_objective(objective), n)
     sequence = np.empty(n, np.int64)
-    time, _ = least_time(
+    time, _ = least_value(
         _paths(team, disk, turns),
         n,
         pursuit_of(disk),
+        aim.total,
         math.inf,
         sequence,
-        subset_scratch(n),
+        worst_scratch(n, aim.total),
     )
     return Guarantee(time, tuple(sequence.tolist()))
+
+
+def expected_survival(
+    team: Team, disk: PursuerDisk, turns: npt.ArrayLike, objective: ExpectedSurvival
+) -> float:
+    """Expected survival of a plan against a pursuer that draws its capture sequence.
+
+    Parameters
+    ----------
+    team, disk
+        The state of the game.
+    turns
+        (N,) signed turns δ, radians.
+    objective
+        The sequences, how likely each is, and what is measured.
+
+    Returns
+    -------
+    float
+        The mean of the sums of all survival times, or of the last ones; each sequence is flown as
+        fast as possible (Algorithm 1).
+
+    Raises
+    ------
+    InputError
+        If an argument can't be used.
+    """
+    disk.require_faster_than(team)
+    if not isinstance(objective, ExpectedSurvival):
+        raise InputError(f"objective: expected ExpectedSurvival(...), got {objective!r}")
+    n = len(team)
+    return expected_value(
+        _paths(team, disk, turns), n, pursuit_of(disk), aim_of(objective, n), np.empty(n)
+    )
+
+
+def value_of_plan(
+    team: Team, disk: PursuerDisk, turns: npt.ArrayLike, objective: Objective
+) -> float:
+    """Return what a plan makes of an objective, guaranteed or expected."""
+    if isinstance(objective, ExpectedSurvival):
+        return expected_survival(team, disk, turns, objective)
+    return guaranteed_survival(team, disk, turns, objective=objective).time
 
 
 def _paths(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> Floats:

@@ -6,6 +6,7 @@ import os
 import time
 from concurrent.futures import ThreadPoolExecutor
 
+from covey.kernels.aim import Aim
 from covey.kernels.ascent import STEPS_USED_UP
 from covey.kernels.columns import Columns
 from covey.kernels.search import (
@@ -31,15 +32,18 @@ class Multistart:
     Attributes
     ----------
     best : Found or None
+    draws : Columns
+        The sequences of an expectation.
     done, steps, interceptions : int
         Starts that were followed, steps and interceptions that they took.
     """
 
-    def __init__(self, team: Team, disk: PursuerDisk, tolerance: float) -> None:
-        self._tolerance = tolerance
+    def __init__(self, team: Team, disk: PursuerDisk, aim: Aim, tolerance: float) -> None:
+        self._aim, self._tolerance = aim, tolerance
         self._evaders, self._pursuit = team.as_rows(), pursuit_of(disk)
         self._elite = make_elite(len(team))
         self.best: Found | None = None
+        self.draws = aim.draws
         self.done = self.steps = self.interceptions = 0
 
     def go_on_from(self, turns: Floats, columns: Columns) -> None:
@@ -57,7 +61,7 @@ class Multistart:
 
     def _continued(self, turns: Floats, columns: Columns) -> Found:
         return continue_plan(
-            self._evaders, self._pursuit, turns, columns, self._tolerance, MOST_STEPS
+            self._evaders, self._pursuit, self._aim, turns, columns, self._tolerance, MOST_STEPS
         )
 
     def follow_all(self, noise: Floats, starts: int) -> None:
@@ -66,6 +70,7 @@ class Multistart:
             found = search_all(
                 self._evaders,
                 self._pursuit,
+                self._aim,
                 noise,
                 starts,
                 self._tolerance,
@@ -83,6 +88,7 @@ class Multistart:
             return follow_one(
                 self._evaders,
                 self._pursuit,
+                self._aim,
                 noise,
                 start,
                 self._tolerance,

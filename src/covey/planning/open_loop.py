@@ -13,10 +13,11 @@ import numpy.typing as npt
 from covey.kernels.ascent import CONVERGED, STALLED, STEPS_USED_UP
 from covey.kernels.columns import Columns, make_columns
 from covey.kernels.starts import CANDIDATES
-from covey.model import InputError, PursuerDisk, Team
+from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, PursuerDisk, Team
 from covey.model.angles import wrap_angle
 from covey.model.checks import Floats, frozen_array, number, whole_number
-from covey.planning.guarantee import check_game
+from covey.planning.aims import aim_of, checked_objective
+from covey.planning.guarantee import check_game, guaranteed_survival
 from covey.planning.multistart import Multistart
 
 DEFAULT_STARTS = 32
@@ -57,13 +58,17 @@ class Plan:
     survival_time : float
         Guaranteed against any pursuer in the disk: the exact minimum over all capture sequences at
         these turns, whatever the search did.
+    objective : LastCapture or TotalSurvival or ExpectedSurvival
+        What the plan makes large.
+    value : float
+        What it makes of it, exactly: for the last capture, the `survival_time`.
     critical_sequences : tuple of tuple of int
-        Capture sequences that attain the guaranteed time, or come within 1e-6 of it, relative, as
-        far as the search met them; the earliest first.
+        Capture sequences that attain the value, or come within 1e-6 of it, relative, as far as the
+        search met them; the worst first. For an expectation, the sequences that it runs over.
     status : PlanStatus
     weights : tuple of float
         For each critical sequence the share with which it holds the plan where it is: the Lagrange
-        multipliers of eq. (6), >= 0, summing to 1.
+        multipliers of eq. (6), >= 0, summing to 1. For an expectation, their probabilities.
     starts, steps, interceptions : int
         What the search cost: starts followed to the end, steps of sequential quadratic
         programming, interceptions computed by the dynamic programme.
@@ -72,6 +77,8 @@ class Plan:
     turns: Floats
     goal_headings: Floats
     survival_time: float
+    objective: Objective
+    value: float
     critical_sequences: tuple[tuple[int, ...], ...]
     weights: tuple[float, ...]
     status: PlanStatus
@@ -84,18 +91,23 @@ def plan(
     team: Team,
     disk: PursuerDisk,
     *,
+    objective: Objective = LastCapture(),  # noqa: B008 frozen
     seed: int = 0,
     starts: int | None = None,
     tolerance: float = DEFAULT_TOLERANCE,
     time_limit: float | None = None,
     warm_start: Plan | npt.ArrayLike | None = None,
 ) -> Plan:
-    """Find the open-loop plan with the longest guaranteed survival time.
+    """Find the open-loop plan with the longest guaranteed survival time, or another objective.
 
     Parameters
     ----------
     team, disk
         The state of the game; up to 18 evaders, each slower than the pursuer.
+    objective
+        What is made large: by default the last capture, guaranteed; `TotalSurvival()`, the sum of
+        all survival times, guaranteed, for up to 16 evaders; `ExpectedSurvival(...)`, the expected
+        value of either over a pursuer that draws its sequence.
     seed
         Seed of the random starts. The same call gives the same plan, bit for bit.
     starts
@@ -105,7 +117,7 @@ def plan(
         best plan known in most games, see `default_starts`. From nine evaders on, four starts at a
         time are followed side by side; the result is the same on any number of cores.
     tolerance
-        An ascent ends when a step promises less than this, relative to the survival time.
+        An ascent ends when a step promises less than this, relative to the value.
     time_limit
         Seconds after which no further start is followed; the first always is. None: no limit.
     warm_start
@@ -127,7 +139,9 @@ def plan(
     -----
     The max-min of eq. (6) in the signed turns δ, where the guaranteed time is continuous.
     Sequential quadratic programming with exact second derivatives on a few capture sequences; a
-    dynamic programme over subsets finds the sequence that is missing (column generation).
+    dynamic programme over subsets finds the sequence that is missing (column generation). For the
+    sum its states carry pairs (docs/decisions/0009); an expectation needs no search for the worst,
+    and its ascents are Newton's method.
     """
     check_game(team, disk)
     number("tolerance", tolerance, low=0.0, strictly=True)
@@ -136,7 +150,8 @@ def plan(
     n = len(team)
     starts = default_starts(n) if starts is None else whole_number("starts", starts, low=1)
     late = math.inf if time_limit is None else time.perf_counter() + time_limit
-    search = Multistart(team, disk, tolerance)
+    aim = aim_of(checked_objective(objective), n)
+    search = Multistart(team, disk, aim, tolerance)
     if warm_start is not None:
         search.go_on_from(*_start_of(warm_start, team))
         starts -= 1
@@ -147,7 +162,7 @@ def plan(
         in_time = True
         search.follow_all(noise, starts)
     search.finish()
-    return _plan_of(search, team, in_time)
+    return _plan_of(search, team, disk, objective, in_time)
 
 
 def default_starts(n: int) -> int:
@@ -162,14 +177,23 @@ def default_starts(n: int) -> int:
     return 56 if n in (4, 5) else 100
 
 
-def _plan_of(search: Multistart, team: Team, in_time: bool) -> Plan:
+def _plan_of(
+    search: Multistart, team: Team, disk: PursuerDisk, objective: Objective, in_time: bool
+) -> Plan:
     assert search.best is not None
-    best = search.best
-    held = _held(best.columns, best.ends, best.value)
+    best, survival_time = search.best, search.best.value
+    if not isinstance(objective, LastCapture):
+        survival_time = guaranteed_survival(team, disk, best.turns).time
+    if isinstance(objective, ExpectedSurvival):
+        held = _drawn(search.draws)
+    else:
+        held = _held(best.columns, best.values, best.value)
     return Plan(
         turns=_read_only(best.turns),
         goal_headings=_read_only(wrap_angle(team.headings + best.turns)),
-        survival_time=best.value,
+        survival_time=survival_time,
+        objective=objective,
+        value=best.value,
         critical_sequences=tuple(sequence for sequence, _ in held),
         weights=tuple(weight for _, weight in held),
         status=_STATUS[best.ended] if in_time else PlanStatus.TIME_LIMIT,
@@ -190,6 +214,8 @@ def start_noise(seed: int, starts: int, n: int) -> Floats:
 def columns_of(plan: Plan) -> Columns:
     """Return the plan's critical sequences as the columns that a warm ascent starts with."""
     columns = make_columns(len(plan.turns))
+    if isinstance(plan.objective, ExpectedSurvival):
+        return columns
     count = min(len(plan.weights), len(columns.weights))
     columns.used[0] = count
     columns.sequences[:count] = plan.critical_sequences[:count]
@@ -215,17 +241,23 @@ def _turns_of(warm_start: Plan | npt.ArrayLike, team: Team) -> Floats:
     return np.where(team.turn_rates > 0.0, checked, 0.0)
 
 
-def _held(columns: Columns, ends: Floats, value: float) -> list[tuple[tuple[int, ...], float]]:
+def _drawn(draws: Columns) -> list[tuple[tuple[int, ...], float]]:
+    """The sequences of an expectation with their probabilities, the likeliest first."""
+    rows = zip(map(tuple, draws.sequences.tolist()), draws.weights.tolist(), strict=True)
+    return sorted((row for row in rows if row[1] > 0.0), key=lambda row: -row[1])
+
+
+def _held(columns: Columns, values: Floats, value: float) -> list[tuple[tuple[int, ...], float]]:
     """The columns that attain the value, the worst one first, with their weights."""
-    count = len(ends)
+    count = len(values)
     rows = zip(
-        ends.tolist(),
+        values.tolist(),
         map(tuple, columns.sequences[:count].tolist()),
         columns.weights[:count].tolist(),
         strict=True,
     )
     latest = value * (1.0 + CRITICAL_WITHIN)
-    return [(sequence, weight) for end, sequence, weight in sorted(rows) if end <= latest]
+    return [(sequence, weight) for each, sequence, weight in sorted(rows) if each <= latest]
 
 
 def _read_only(array: Floats) -> Floats:

@@ -37,17 +37,18 @@ class Committed:
         followed = [living.index(i) for i in self._sequence if i in living]
         sequence = np.array(followed if followed else [0] * n, dtype=np.int64)
         paths = np.empty((n, PATH))
-        disk = situation.pursuer
+        disk, total = situation.pursuer, situation.objective.measure == "total"
         set_paths(situation.team.as_rows(), situation.turns, disk.speed, paths)
         commit(
             paths,
             n,
             pursuit_of(disk),
+            total,
             self._margin,
             bool(followed),
             sequence,
             np.empty(n),
-            ascent_scratch(n),
+            ascent_scratch(n, total),
         )
         self._sequence = tuple(living[row] for row in sequence)
         return Chase(self._sequence)

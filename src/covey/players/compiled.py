@@ -6,9 +6,9 @@ from typing import NamedTuple, TypeGuard
 
 from covey.kernels import game
 from covey.kernels.search import search_scratch
-from covey.model import PursuerDisk, Team
+from covey.model import LastCapture, Objective, PursuerDisk, Team
 from covey.model.checks import Floats, Ints
-from covey.planning import plan
+from covey.planning import Plan, plan
 from covey.planning.guarantee import check_game, longest_game
 from covey.players.evaders import IterativeOpenLoop, OpenLoop, first_memory
 from covey.players.pursuers import CommittedPursuer, PatientPursuer
@@ -23,7 +23,7 @@ BuiltInPursuer = CommittedPursuer | PatientPursuer | FixedSequence | BestSequenc
 class Played(NamedTuple):
     """What comes out of a compiled game."""
 
-    guarantee: float  # of the first plan
+    plan: Plan  # the first
     order: Ints  # (C,) the captured
     times: Floats  # (C,)
     pages: game.Pages
@@ -47,11 +47,12 @@ def checked_settings(
     update_time: float,
     seed: int,
     time_limit: float | None,
+    objective: Objective = LastCapture(),  # noqa: B008 frozen
 ) -> Settings:
     """Return the settings of a game; raise InputError if it can't be played."""
     check_game(team, disk)
     limit = longest_game(team, disk) if time_limit is None else time_limit
-    return Settings(sensing, update_time, seed, limit)
+    return Settings(sensing, update_time, seed, limit, objective)
 
 
 def play_compiled(
@@ -66,18 +67,21 @@ def play_compiled(
     """Play a game; with `recorded`, write a page at every decision."""
     n, policy = len(team), evaders.compiled()
     margin, sequence, known = pursuer.commitment(team, disk, settings.seed)
-    first = plan(team, disk, seed=settings.seed, starts=evaders.starts)
+    first = plan(
+        team, disk, objective=settings.objective, seed=settings.seed, starts=evaders.starts
+    )
+    memory = first_memory(first, settings.seed, policy.restarts)
     state = first_state(team, disk)
     state.turns[:] = first.turns
     captured, order, times, count, pages = game.play(
         state,
         settings.rules(disk),
         policy,
-        first_memory(first, settings.seed, policy.restarts),
+        memory,
         margin,
         sequence,
         known,
         recorded,
-        search_scratch(n),
+        search_scratch(n, memory.aim.total),
     )
-    return Played(first.survival_time, order[:captured], times[:captured], pages, count)
+    return Played(first, order[:captured], times[:captured], pages, count)

@@ -10,11 +10,13 @@ from typing import Any
 import numpy as np
 
 from covey.kernels import policy
+from covey.kernels.aim import rule_out, spent
 from covey.kernels.columns import forget_captured
 from covey.kernels.replanning import replan
 from covey.kernels.search import search_scratch
 from covey.model.checks import Floats, whole_number
 from covey.planning import Plan, plan
+from covey.planning.aims import aim_of
 from covey.planning.guarantee import pursuit_of
 from covey.planning.multistart import MOST_STEPS
 from covey.planning.open_loop import DEFAULT_STARTS, DEFAULT_TOLERANCE, columns_of, start_noise
@@ -58,7 +60,13 @@ class OpenLoop:
             if begun:
                 return situation.turns
             begun = True
-            return plan(situation.team, situation.disk, seed=seed, starts=self.starts).turns
+            return plan(
+                situation.team,
+                situation.disk,
+                objective=situation.objective,
+                seed=seed,
+                starts=self.starts,
+            ).turns
 
         return turns
 
@@ -68,7 +76,7 @@ class IterativeOpenLoop:
     """Plan again and again, from the present state: the paper's iOL (section IV.C).
 
     The plan that is flown is always the first start, so the team never survives less than its
-    first plan guaranteed.
+    first plan guaranteed, or never less in sum where the game is about that.
 
     Parameters
     ----------
@@ -126,25 +134,29 @@ class Replanning:
         """Return the first plan, or the last one improved."""
         if not self._living:
             return self._begin(situation)
-        columns, noise, last = self._memory
+        columns, noise, last, aim = self._memory
+        living, restarts = len(self._living), 0
+        since = spent(situation.time - last[0], living, aim.total)
         for i in self._living:
             if i not in situation.evaders:
-                forget_captured(columns, len(self._living), self._living.index(i))
+                row = self._living.index(i)
+                forget_captured(columns, living, row)
+                if aim.expected:
+                    rule_out(aim.draws, living, row)
                 self._living = tuple(j for j in self._living if j != i)
                 restarts = self._strategy.restarts
                 break
-        else:
-            restarts = 0
         turns = situation.turns.copy()
         worth = replan(
             situation.team.as_rows(),
             len(turns),
             pursuit_of(situation.disk),
+            aim,
             noise,
             restarts,
             REPLAN_TOLERANCE,
             MOST_STEPS,
-            last[1] - (situation.time - last[0]),
+            last[1] - since,
             turns,
             columns,
             self._scratch,
@@ -153,15 +165,22 @@ class Replanning:
         return turns
 
     def _begin(self, situation: Situation) -> Floats:
-        first = plan(situation.team, situation.disk, seed=self._seed, starts=self._strategy.starts)
+        first = plan(
+            situation.team,
+            situation.disk,
+            objective=situation.objective,
+            seed=self._seed,
+            starts=self._strategy.starts,
+        )
         self._living = situation.evaders
         self._memory = first_memory(first, self._seed, self._strategy.restarts)
         self._memory.last[0] = situation.time
-        self._scratch = search_scratch(len(first.turns))
+        self._scratch = search_scratch(len(first.turns), self._memory.aim.total)
         return np.array(first.turns)
 
 
 def first_memory(first: Plan, seed: int, restarts: int) -> policy.TeamMemory:
     """Return what a team remembers at time 0, with its first plan made."""
     noise = start_noise(seed, restarts, len(first.turns))
-    return policy.TeamMemory(columns_of(first), noise, np.array([0.0, -math.inf]))
+    aim = aim_of(first.objective, len(first.turns))
+    return policy.TeamMemory(columns_of(first), noise, np.array([0.0, -math.inf]), aim)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from covey.model import PursuerDisk, Team
+from covey.model import LastCapture, Objective, PursuerDisk, Team, measured
 from covey.model.checks import Floats, Ints
 from covey.players.compiled import (
     checked_settings,
@@ -34,19 +34,30 @@ class Outcome(NamedTuple):
         Survival time that the first plan guaranteed.
     survival_time : float
         Time of the last capture; inf if the game was stopped before it.
+    planned_value, value : float
+        What the first plan made of the objective, and what came of it.
     capture_sequence, capture_times : numpy.ndarray
         (C,) evaders in the order of their capture, and when.
     """
 
     guarantee: float
     survival_time: float
+    planned_value: float
+    value: float
     capture_sequence: Ints
     capture_times: Floats
 
 
 def outcome_of(game: Game) -> Outcome:
     """Return the outcome that a record tells of."""
-    return Outcome(game.guarantee, game.survival_time, game.capture_sequence, game.capture_times)
+    return Outcome(
+        game.guarantee,
+        game.survival_time,
+        game.planned_value,
+        game.value,
+        game.capture_sequence,
+        game.capture_times,
+    )
 
 
 def survival(
@@ -59,12 +70,13 @@ def survival(
     update_time: float = 0.01,
     seed: int = 0,
     time_limit: float | None = None,
+    objective: Objective = LastCapture(),  # noqa: B008 frozen
 ) -> Outcome:
     """Play the game that `simulate` plays, to the last bit, and keep no record of its course.
 
     Parameters
     ----------
-    team, disk, evaders, pursuer, sensing, update_time, seed, time_limit
+    team, disk, evaders, pursuer, sensing, update_time, seed, time_limit, objective
         See `simulate`.
 
     Returns
@@ -72,10 +84,16 @@ def survival(
     Outcome
         What the record of the game would say.
     """
-    settings = checked_settings(team, disk, sensing, update_time, seed, time_limit)
+    settings = checked_settings(team, disk, sensing, update_time, seed, time_limit, objective)
     if not (team_is_built_in(evaders) and pursuer_is_built_in(pursuer)):
         return outcome_of(play(team, disk, evaders, pursuer, settings))
     played = play_compiled(team, disk, evaders, pursuer, settings, recorded=False)
     ended = len(played.times) == len(team)
-    time = float(played.times[-1]) if ended else math.inf
-    return Outcome(played.guarantee, time, played.order, played.times)
+    return Outcome(
+        played.plan.survival_time,
+        float(played.times[-1]) if ended else math.inf,
+        played.plan.value,
+        measured(objective, played.times) if ended else math.inf,
+        played.order,
+        played.times,
+    )

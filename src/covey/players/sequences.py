@@ -10,6 +10,7 @@ import numpy as np
 
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.checks import Ints
+from covey.model.objectives import checked_draws, described_draws, draws_of
 from covey.planning.announcement import best_announcement
 from covey.players.commitment import KeepsSequence
 
@@ -85,14 +86,38 @@ class BestSequence(KeepsSequence):
 
 @dataclass(frozen=True)
 class RandomSequence(KeepsSequence):
-    """Capture the evaders in an order that is drawn from the game's seed, whatever they do."""
+    """Capture the evaders in an order that is drawn from the game's seed, whatever they do.
+
+    Parameters
+    ----------
+    sequences
+        Those that are drawn from, each with every evader's number once. None: all of them.
+    weights
+        How likely each is, relative to the others, >= 0. None: all alike.
+    """
+
+    sequences: tuple[tuple[int, ...], ...] | None = None
+    weights: tuple[float, ...] | None = None
+
+    def __init__(
+        self,
+        sequences: Sequence[Sequence[int]] | None = None,
+        weights: Sequence[float] | None = None,
+    ) -> None:
+        kept = checked_draws("RandomSequence", sequences, weights)
+        for name, value in zip(("sequences", "weights"), kept, strict=True):
+            object.__setattr__(self, name, value)
 
     def describe(self) -> Mapping[str, Any]:
-        """Return the name, as a scenario file gives it."""
-        return {"name": "random-sequence"}
+        """Return name and parameters, as a scenario file gives them."""
+        return {"name": "random-sequence", **described_draws(self.sequences, self.weights)}
 
     def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:  # noqa: ARG002
         """Return the order that was drawn."""
         # Not the stream that the starts of the searches come from.
         generator = np.random.default_rng([seed, 1])
-        return generator.permutation(len(team))
+        if self.sequences is None:
+            return generator.permutation(len(team))
+        draws = draws_of("RandomSequence", self.sequences, self.weights, len(team))
+        drawn: Ints = generator.choice(draws.sequences, p=draws.probabilities)
+        return drawn

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from covey.model import PursuerDisk, Team
+from covey.model import LastCapture, Objective, PursuerDisk, Team
 from covey.players.compiled import (
     checked_settings,
     play_compiled,
@@ -34,6 +34,7 @@ def simulate(
     update_time: float = 0.01,
     seed: int = 0,
     time_limit: float | None = None,
+    objective: Objective = LastCapture(),  # noqa: B008 frozen
 ) -> Game:
     """Play one game and return its record.
 
@@ -54,6 +55,11 @@ def simulate(
     time_limit
         A game is stopped then. None: by when a pursuer that kept to one sequence would have
         captured everybody, whatever the team did.
+    objective
+        What the team makes large and the pursuer small, where their strategies mind: `OpenLoop` and
+        `IterativeOpenLoop` (see `covey.plan`), `CommittedPursuer`, `PatientPursuer` and
+        `FlyingPursuer`. A pursuer doesn't reckon with expectations: it makes small what is
+        measured.
 
     Returns
     -------
@@ -65,7 +71,7 @@ def simulate(
     InputError
         If an argument can't be used, or a strategy decides what it can't.
     """
-    settings = checked_settings(team, disk, sensing, update_time, seed, time_limit)
+    settings = checked_settings(team, disk, sensing, update_time, seed, time_limit, objective)
     if not (team_is_built_in(evaders) and pursuer_is_built_in(pursuer)):
         return play(team, disk, evaders, pursuer, settings)
     played = play_compiled(team, disk, evaders, pursuer, settings, recorded=True)

@@ -9,7 +9,7 @@ import numpy as np
 from covey.model import PursuerDisk, Team
 from covey.scenarios.scenario import Scenario
 from covey.scenarios.schema import EvaderSection, RandomSection, ScenarioFile, TeamSection
-from covey.scenarios.strategies import EVADERS, PURSUERS, make_strategy
+from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, make_strategy
 from covey.scenarios.values import AWAY
 
 Point = tuple[float, float]
@@ -28,6 +28,7 @@ def build(file: ScenarioFile, seed: int | None = None) -> Scenario:
         update_time=file.game.update_time,
         seed=chosen,
         time_limit=file.game.time_limit,
+        objective=make_strategy(file.game.objective, OBJECTIVES),
     )
 
 

@@ -12,20 +12,26 @@ from typing import Any
 from covey.kernels.subsets import MOST_EVADERS
 from covey.scenarios.mistakes import Mistake, Place, wanted_but_got
 from covey.scenarios.schema import PursuerSection, TeamSection
-from covey.scenarios.strategies import EVADERS, PURSUERS, strategy_mistakes
+from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Entry, strategy_mistakes
 from covey.scenarios.values import AWAY, as_not_negative, as_point, as_positive, as_whole
 
 Document = Mapping[str, Any]
 
+_WITH_PARAMETERS: Mapping[Place, Mapping[str, Entry]] = {
+    ("team", "strategy"): EVADERS,
+    ("pursuer", "strategy"): PURSUERS,
+    ("game", "objective"): OBJECTIVES,
+}
+
 
 def crosschecks(document: Document) -> Iterator[Mistake]:
-    """Find what doesn't fit together in a file, and the mistakes of its strategies."""
+    """Find what doesn't fit together in a file, and the mistakes of what has parameters."""
     yield from _team_size(document)
     yield from _speeds(document)
     yield from _headings(document)
-    yield from _strategies(document)
-    for table in ("pursuer", "team"):
-        yield from _sequence(document, table)
+    yield from _parameters(document)
+    for place in _WITH_PARAMETERS:
+        yield from _sequences(document, place)
 
 
 def _team_size(document: Document) -> Iterator[Mistake]:
@@ -91,26 +97,30 @@ def _headings(document: Document) -> Iterator[Mistake]:
             )
 
 
-def _strategies(document: Document) -> Iterator[Mistake]:
-    for table, known in (("team", EVADERS), ("pursuer", PURSUERS)):
-        value = _look(document, table, "strategy")
+def _parameters(document: Document) -> Iterator[Mistake]:
+    for place, known in _WITH_PARAMETERS.items():
+        value = _look(document, *place)
         if value is not None:
-            yield from strategy_mistakes((table, "strategy"), value, known)
+            yield from strategy_mistakes(place, value, known)
 
 
-def _sequence(document: Document, table: str) -> Iterator[Mistake]:
-    place = (table, "strategy", "sequence")
-    sequence = _look(document, *place)
+def _sequences(document: Document, place: Place) -> Iterator[Mistake]:
     count = len(_evaders(document)) or as_whole(_look(document, "team", "random", "count"))
-    if not count or not isinstance(sequence, list) or any(as_whole(i) is None for i in sequence):
-        return
-    if sorted(sequence) != list(range(count)):
-        yield Mistake(place, wanted_but_got(f"each evader 0..{count - 1} once", sequence))
+    several = _look(document, *place, "sequences")
+    given = {(*place, "sequence"): _look(document, *place, "sequence")}
+    given |= {(*place, "sequences", k): each for k, each in enumerate(_list(several))}
+    for where, sequence in given.items():
+        readable = isinstance(sequence, list) and all(as_whole(i) is not None for i in sequence)
+        if count and readable and sorted(sequence) != list(range(count)):
+            yield Mistake(where, wanted_but_got(f"each evader 0..{count - 1} once", sequence))
 
 
 def _evaders(document: Document) -> list[Any]:
-    evaders = _look(document, "team", "evaders")
-    return evaders if isinstance(evaders, list) else []
+    return _list(_look(document, "team", "evaders"))
+
+
+def _list(value: Any) -> list[Any]:
+    return value if isinstance(value, list) else []
 
 
 def _default(section: type[PursuerSection] | type[TeamSection]) -> Any:

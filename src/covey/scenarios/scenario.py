@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from covey.model import PursuerDisk, Team
+from covey.model import LastCapture, Objective, PursuerDisk, Team
 from covey.planning import Bracket, Plan, bracket, plan
 from covey.players import IterativeOpenLoop, OpenLoop, WorstCase, simulate, worst_case
 from covey.simulation import Game, PursuerStrategy, TeamStrategy
@@ -29,6 +29,8 @@ class Scenario:
         Seed of the searches for plans.
     time_limit : float or None
         When a game is stopped; see `simulate`.
+    objective
+        What the game is about; see `plan` and `simulate`.
     """
 
     team: Team
@@ -39,13 +41,20 @@ class Scenario:
     update_time: float
     seed: int
     time_limit: float | None
+    objective: Objective = LastCapture()  # noqa: RUF009 frozen
 
     def plan(self) -> Plan:
         """Return the open-loop plan, with which a team that flies one begins the game."""
-        return plan(self.team, self.disk, seed=self.seed, starts=self._starts)
+        return plan(
+            self.team,
+            self.disk,
+            objective=self.objective,
+            seed=self.seed,
+            starts=self._starts,
+        )
 
     def bracket(self) -> Bracket:
-        """Return that plan, and what no team could be sure to exceed."""
+        """Return the plan for the last capture, and what no team could be sure to exceed."""
         return bracket(self.team, self.disk, seed=self.seed, starts=self._starts)
 
     def worst_case(self, delays: Sequence[float] = (0.0,)) -> WorstCase:
@@ -70,6 +79,7 @@ class Scenario:
             update_time=self.update_time,
             seed=self.seed,
             time_limit=self.time_limit,
+            objective=self.objective,
         )
 
     @property

@@ -3,7 +3,7 @@
     [pursuer]   center, radius, speed, capture_radius, strategy
     [team]      speed, turn_rate, headings: defaults of all evaders; strategy;
                 then one of [[team.evaders]] and [team.random]
-    [game]      sensing, update_time, seed, time_limit
+    [game]      objective, sensing, update_time, seed, time_limit
 
 A key says nothing about any other here; what must fit together is in `crosschecks`.
 """
@@ -74,8 +74,9 @@ class TeamSection(Section):
 
 
 class GameSection(Section):
-    """[game]: how it is played."""
+    """[game]: what it is about, and how it is played."""
 
+    objective: Any = "last-capture"
     sensing: Annotated[str, one_of(*SENSING)] = "hidden"
     update_time: Positive = 0.01
     seed: Whole = 0

@@ -1,4 +1,8 @@
-"""Strategies by their name in a file: `strategy = "committed"`, or a table with its parameters."""
+"""Strategies and objectives by their name in a file, or by a table with name and parameters.
+
+strategy = "committed"
+strategy = { name = "committed", margin = 0.05 }
+"""
 
 from __future__ import annotations
 
@@ -7,6 +11,8 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import MISSING, dataclass, fields
 from typing import Any
 
+from covey.model import ExpectedSurvival, InputError, LastCapture, TotalSurvival
+from covey.model.objectives import MEASURES
 from covey.players import (
     BestSequence,
     CommittedPursuer,
@@ -32,12 +38,12 @@ from covey.scenarios.mistakes import (
     unknown_key,
     wanted_but_got,
 )
-from covey.scenarios.values import Wanted, as_not_negative, as_point, as_whole
+from covey.scenarios.values import Wanted, as_not_negative, as_point, as_whole, one_of
 
 
 @dataclass(frozen=True)
 class Entry:
-    """A strategy, and the kind of value that each of its parameters is."""
+    """A strategy or objective, and the kind of value that each of its parameters is."""
 
     make: Callable[..., Any]
     parameters: Mapping[str, Wanted]
@@ -57,6 +63,19 @@ def _sequence(value: object) -> list[int] | None:
     return None
 
 
+def _sequences(value: object) -> list[list[int]] | None:
+    if isinstance(value, list) and value and all(_sequence(each) for each in value):
+        return value
+    return None
+
+
+def _weights(value: object) -> list[float] | None:
+    if not isinstance(value, list):
+        return None
+    weights = [as_not_negative(each) for each in value]
+    return None if None in weights else value
+
+
 def _offset(value: object) -> tuple[float, float] | None:
     point = as_point(value)
     return point if point is not None and math.hypot(*point) <= 1.0 else None
@@ -67,6 +86,10 @@ _RESTARTS = {"restarts": Wanted("a whole number >= 0", as_whole)}
 _REPLAN_TIME = {"replan_time": Wanted("a finite number >= 0", as_not_negative)}
 _MARGIN = {"margin": Wanted("a number >= 0 (inf is allowed)", _margin)}
 _OFFSET = {"offset": Wanted("a point [x, y] at most 1 from the origin", _offset)}
+_DRAWS = {
+    "sequences": Wanted("a list of sequences of evaders' numbers", _sequences),
+    "weights": Wanted("a list of finite numbers >= 0", _weights),
+}
 _SEQUENCE = {"sequence": Wanted("a list of evaders' numbers", _sequence)}
 
 EVADERS = {
@@ -86,15 +109,21 @@ PURSUERS = {
     "patient": Entry(PatientPursuer, {}),
     "fixed-sequence": Entry(FixedSequence, _SEQUENCE),
     "best-sequence": Entry(BestSequence, {}),
-    "random-sequence": Entry(RandomSequence, {}),
+    "random-sequence": Entry(RandomSequence, _DRAWS),
     "nearest-first": Entry(NearestFirst, {}),
+}
+
+OBJECTIVES = {
+    "last-capture": Entry(LastCapture, {}),
+    "total-survival": Entry(TotalSurvival, {}),
+    "expected-survival": Entry(ExpectedSurvival, _DRAWS | {"measure": one_of(*MEASURES)}),
 }
 
 
 def strategy_mistakes(place: Place, value: object, known: Mapping[str, Entry]) -> Iterator[Mistake]:
-    """Find all mistakes of a strategy, given as its name or as a table with its name."""
+    """Find all mistakes of a strategy or objective, given by name or by a table with its name."""
     if not isinstance(value, str | dict):
-        wanted = "the name of a strategy, or a table with its name and parameters"
+        wanted = "a name, or a table with a name and parameters"
         yield Mistake(place, wanted_but_got(wanted, value))
         return
     name, given = name_and_parameters(value)
@@ -104,7 +133,13 @@ def strategy_mistakes(place: Place, value: object, known: Mapping[str, Entry]) -
         came = "nothing" if name is None else toml_text(name)
         yield Mistake(where, f"expected {wanted}, got {came}{did_you_mean(name, known)}")
         return
-    yield from _parameter_mistakes(place, known[name], given)
+    mistakes = list(_parameter_mistakes(place, known[name], given))
+    yield from mistakes
+    if not mistakes:
+        try:
+            known[name].make(**given)
+        except InputError as error:  # what is right by itself may not fit together
+            yield Mistake(place, str(error))
 
 
 def _parameter_mistakes(
@@ -123,13 +158,13 @@ def _parameter_mistakes(
 
 
 def name_and_parameters(value: str | dict[str, Any]) -> tuple[object, dict[str, Any]]:
-    """Split a strategy as it stands in the file."""
+    """Split what stands in the file."""
     if isinstance(value, str):
         return value, {}
     return value.get("name"), {key: each for key, each in value.items() if key != "name"}
 
 
 def make_strategy(value: str | dict[str, Any], known: Mapping[str, Entry]) -> Any:
-    """Make the strategy of a file without mistakes."""
+    """Make the strategy or objective of a file without mistakes."""
     name, given = name_and_parameters(value)
     return known[str(name)].make(**given)

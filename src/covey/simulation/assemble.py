@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from covey.kernels.game import Pages
-from covey.model import PursuerDisk, Team
+from covey.model import PursuerDisk, Team, measured
 from covey.model.checks import Floats, Ints
+from covey.planning.guarantee import value_of_plan
 from covey.simulation.record import Game, GameStatus
 from covey.simulation.settings import Settings
 
@@ -39,7 +40,7 @@ def assemble(
         pages.critical[:count],
         pages.intended[:count],
     )
-    done = len(order) == len(team)
+    done, objective = len(order) == len(team), settings.objective
     pursuer = pages.pursuers[:, :2]
     if settings.sensing == "hidden" and not placed:
         pursuer = _explaining_flight(disk, order, times, pages)
@@ -49,10 +50,13 @@ def assemble(
         sensing=settings.sensing,
         update_time=settings.update_time,
         seed=settings.seed,
+        objective=objective.describe(),
         strategies=strategies,
         status=_status(done, settings, pages),
         guarantee=float(pages.guarantees[0]),
         survival_time=float(times[-1]) if done else math.inf,
+        planned_value=value_of_plan(team, disk, pages.evaders[0, :, 3], objective),
+        value=measured(objective, times) if done else math.inf,
         capture_sequence=order,
         capture_times=times,
         times=pages.times,

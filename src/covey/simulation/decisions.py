@@ -9,14 +9,18 @@ from dataclasses import replace
 import numpy as np
 
 from covey.kernels.rules import NOBODY, State
-from covey.model import InputError, PursuerDisk, Team
+from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team
 from covey.model.checks import Floats, Ints, frozen_array
 from covey.simulation.strategy import Chase, Fly, Situation
 
 _NO_ROWS = np.empty(0, np.int64)
 
 
-def told_to_team(state: State, disk: PursuerDisk) -> Situation:
+def told_to_team(
+    state: State,
+    disk: PursuerDisk,
+    objective: Objective = LastCapture(),  # noqa: B008 frozen
+) -> Situation:
     """Return what the team knows; `disk` gives the pursuer's speed and reach."""
     alive = int(state.alive[0])
     rows = state.evaders[:alive]
@@ -26,6 +30,7 @@ def told_to_team(state: State, disk: PursuerDisk) -> Situation:
         team=Team(rows[:, :2], rows[:, 2], rows[:, 3], rows[:, 4]),
         disk=PursuerDisk(state.disk[:2], state.disk[2], disk.speed, disk.capture_radius),
         turns=_read_only_copy(state.turns[:alive]),
+        objective=objective,
     )
 
 

@@ -106,7 +106,7 @@ class Match:
 
     def _announce_plan(self) -> None:
         alive = int(self._state.alive[0])
-        self._known = told_to_team(self._state, self._disk)
+        self._known = told_to_team(self._state, self._disk, self._settings.objective)
         self._state.turns[:alive] = checked_turns(self._plan(self._known), alive)
         announce(self._state, self._rules)
         self._write()

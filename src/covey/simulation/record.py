@@ -38,6 +38,8 @@ class Game:
         Δt between updates; a capture brings one at once.
     seed : int
         Seed of the searches for plans.
+    objective : mapping
+        Name and parameters of what the game was about, as a scenario file gives them.
     strategies : mapping
         "evaders" and "pursuer": name and parameters of each, as a scenario file gives them.
     status : GameStatus
@@ -45,6 +47,9 @@ class Game:
         Survival time that the first plan guaranteed.
     survival_time : float
         Time of the last capture; inf if the game was stopped before it.
+    planned_value, value : float
+        What the first plan made of the objective, and what came of it: guarantee and survival time
+        where that is the last capture.
     capture_sequence, capture_times : numpy.ndarray
         (C,) evaders in the order of their capture, and when; C = N unless the game was stopped.
     times : numpy.ndarray
@@ -70,10 +75,13 @@ class Game:
     sensing: str
     update_time: float
     seed: int
+    objective: Mapping[str, Any]
     strategies: Mapping[str, Mapping[str, Any]]
     status: GameStatus
     guarantee: float
     survival_time: float
+    planned_value: float
+    value: float
     capture_sequence: Ints
     capture_times: Floats
     times: Floats

@@ -1,4 +1,4 @@
-"""How a game is played: sensing, time between updates, seed, time limit; checked once."""
+"""How a game is played: sensing, time between updates, seed, limit, objective; checked once."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from covey.kernels.rules import Rules, State, initial_state
-from covey.model import PursuerDisk, Team
+from covey.model import LastCapture, Objective, PursuerDisk, Team
 from covey.model.checks import Floats, choice, number, whole_number
+from covey.planning.aims import checked_objective
 
 SENSING = ("hidden", "visible")
 
@@ -28,6 +29,8 @@ class Settings:
         Whole number >= 0.
     time_limit
         A game is stopped then; inf: never.
+    objective
+        What the team makes large, and the pursuer small.
 
     Raises
     ------
@@ -39,6 +42,7 @@ class Settings:
     update_time: float
     seed: int
     time_limit: float = math.inf
+    objective: Objective = LastCapture()  # noqa: RUF009 frozen
 
     def __post_init__(self) -> None:
         """Check every field."""
@@ -47,6 +51,7 @@ class Settings:
         whole_number("seed", self.seed, low=0)
         if self.time_limit != math.inf:
             number("time_limit", self.time_limit, low=0.0, strictly=True)
+        checked_objective(self.objective)
 
     def rules(self, disk: PursuerDisk, *, placed: bool = False) -> Rules:
         """Return the rules as the kernels see them; `placed` where the pursuer brings a place."""

@@ -24,7 +24,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from covey.model import InputError, PursuerDisk, Team
+from covey.model import InputError, LastCapture, PursuerDisk, Team
 from covey.simulation.record import Game, GameStatus
 
 FORMAT = 1
@@ -187,10 +187,13 @@ def _header(game: Game) -> bytes:
         "sensing": game.sensing,
         "update_time": game.update_time,
         "seed": game.seed,
+        "objective": game.objective,
         "strategies": game.strategies,
         "status": game.status.name,
         "guarantee": game.guarantee,
         "survival_time": game.survival_time,
+        "planned_value": game.planned_value,
+        "value": game.value,
         "capture_sequence": game.capture_sequence,
         "capture_times": game.capture_times,
     }
@@ -241,10 +244,13 @@ def _game(header: Mapping[str, Any], table: Any) -> Game:
         sensing=header["sensing"],
         update_time=header["update_time"],
         seed=header["seed"],
+        objective=header.get("objective", LastCapture().describe()),
         strategies=header["strategies"],
         status=GameStatus[header["status"]],
         guarantee=header["guarantee"],
         survival_time=header["survival_time"],
+        planned_value=header.get("planned_value", header["guarantee"]),
+        value=header.get("value", header["survival_time"]),
         capture_sequence=np.array(header["capture_sequence"], dtype=np.int64),
         capture_times=np.array(header["capture_times"], dtype=np.float64),
         **arrays,

@@ -14,7 +14,7 @@ from typing import Any, Protocol
 import numpy as np
 import numpy.typing as npt
 
-from covey.model import InputError, PursuerDisk, Team
+from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team
 from covey.model.checks import Floats, frozen_array
 
 
@@ -36,6 +36,8 @@ class Situation:
     turns : numpy.ndarray
         (n,) signed turns still to be flown of the plan announced last. For the team, it is the one
         flown until now; for the pursuer, the one just announced.
+    objective : LastCapture or TotalSurvival or ExpectedSurvival
+        What the game is about, in the numbers of the whole team.
     place : numpy.ndarray or None
         (2,) where the pursuer is. None for the team, and for a pursuer that is a disk only.
     """
@@ -45,6 +47,7 @@ class Situation:
     team: Team
     disk: PursuerDisk
     turns: Floats
+    objective: Objective = LastCapture()  # noqa: RUF009 frozen
     place: Floats | None = None
 
     @property

@@ -61,7 +61,7 @@ def _play(
     if not isinstance(case.pursuer, AsVisible):
         return _play_as(case, start, recorded)
     # Strategies may not be hashable; they live as long as the study, so who they are will do.
-    key = (*case[:7], id(case.evaders), id(case.pursuer))
+    key = (*case[:7], case.objective, id(case.evaders), id(case.pursuer))
     seen = case._replace(sensing="visible", pursuer=case.pursuer.visible())
     if case.sensing == "visible":
         outcome, record = _play_as(seen, start, recorded)
@@ -80,6 +80,7 @@ def _play_as(case: Case, start: Start, recorded: bool) -> tuple[Outcome, Game | 
         "sensing": case.sensing,
         "update_time": case.update_time,
         "seed": start.seed,
+        "objective": case.objective,
     }
     if recorded:
         game = simulate(*game_of(case, start), **arguments)

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from covey.kernels.subsets import MOST_EVADERS
-from covey.model import InputError
 from covey.scenarios.mistakes import Mistake, Place, wanted_but_got
 from covey.scenarios.starts import HEADINGS, SHAPES, Disk, Formation, Square
 from covey.scenarios.strategies import (
     EVADERS,
+    OBJECTIVES,
     PURSUERS,
     Entry,
     make_strategy,
@@ -60,12 +60,7 @@ class Named:
                 return value, []
             return None, list(strategy_mistakes(place, value, self.known))
         mistakes = list(strategy_mistakes(place, value, self.known))
-        if mistakes:
-            return None, mistakes
-        try:
-            return make_strategy(value, self.known), []
-        except InputError as error:
-            return None, [Mistake(place, str(error))]
+        return None if mistakes else make_strategy(value, self.known), mistakes
 
 
 @dataclass(frozen=True)
@@ -146,6 +141,7 @@ FIELDS: dict[str, One | Named | Several] = {
     "capture_radius": Several(One(_NOT_NEGATIVE)),
     "update_time": Several(One(_POSITIVE)),
     "sensing": Several(One(one_of(*SENSING))),
+    "objective": Several(Named(OBJECTIVES)),
     "evaders": Several(Named(EVADERS)),
     "pursuer": Several(Named(STUDY_PURSUERS)),
 }

@@ -6,6 +6,8 @@ from collections.abc import Iterator, Mapping
 from itertools import product
 from typing import Any
 
+from covey.model import InputError
+from covey.planning.aims import aim_of
 from covey.players import FixedSequence, KnownSequence
 from covey.scenarios.mistakes import Mistake
 from covey.studies.startfile import FromFile
@@ -21,6 +23,7 @@ def misfits(values: Mapping[str, Any]) -> Iterator[Mistake]:
         )
         yield Mistake(("speed",), text)
     yield from _sequences(values)
+    yield from _objectives(values)
     yield from _files(values)
 
 
@@ -34,6 +37,14 @@ def _sequences(values: Mapping[str, Any]) -> Iterator[Mistake]:
                     f"{list(strategy.sequence)}; a study of several team sizes has no common one"
                 )
                 yield Mistake((side, index, "sequence"), text)
+
+
+def _objectives(values: Mapping[str, Any]) -> Iterator[Mistake]:
+    for (index, objective), size in product(enumerate(values["objective"]), values["team_size"]):
+        try:
+            aim_of(objective, size)
+        except InputError as error:
+            yield Mistake(("objective", index), str(error))
 
 
 def _files(values: Mapping[str, Any]) -> Iterator[Mistake]:

@@ -31,7 +31,7 @@ UNKNOWN = Estimate(float("nan"), float("nan"))
 
 
 class Moments(NamedTuple):
-    """Moments of the survival times in K cases, over the starts whose games all came to an end."""
+    """Moments of survival times, or values, in K cases, over starts whose games all ended."""
 
     starts: int  # all
     ended: int  # those counted here
@@ -41,7 +41,7 @@ class Moments(NamedTuple):
     guarantee: Floats  # (K,) mean guarantee of the first plans, over all starts
 
     def average(self, case: int) -> Estimate:
-        """Return the mean survival time of a case, with its normal 95 % interval."""
+        """Return the mean of a case, with its normal 95 % interval."""
         if self.ended == 0:
             return UNKNOWN
         return Estimate(float(self.mean[case]), self._half_width(self.scatter[case, case]))
@@ -65,13 +65,13 @@ class Moments(NamedTuple):
         return Z95 * float(np.sqrt(scatter / (self.ended - 1) / self.ended))
 
 
-def moments_of(parts: Iterable[pa.Table], cases: int) -> Moments:
-    """Return the moments of all games, part by part."""
+def moments_of(parts: Iterable[pa.Table], cases: int, column: str) -> Moments:
+    """Return the moments of a column of all games, part by part."""
     total = Moments(
         0, 0, np.zeros(cases, np.int64), np.zeros(cases), np.zeros((cases, cases)), np.zeros(cases)
     )
     for part in parts:
-        times = part["survival_time"].to_numpy().reshape(-1, cases)
+        times = part[column].to_numpy().reshape(-1, cases)
         guarantees = part["guarantee"].to_numpy().reshape(-1, cases)
         total = _joined(total, _of_sample(times, guarantees))
     return total

@@ -8,7 +8,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from covey.model import InputError
+from covey.model import InputError, LastCapture
 from covey.studies import folder as store
 from covey.studies.manifest import NAME, read_manifest
 from covey.studies.moments import Moments, moments_of
@@ -42,6 +42,7 @@ class StudyResult:
     def study(self) -> dict[str, Any]:
         """The study, as a study file gives it."""
         described: dict[str, Any] = self.manifest["study"]
+        described["grid"].setdefault("objective", [LastCapture().describe()])  # once the only one
         return described
 
     @property
@@ -74,7 +75,12 @@ class StudyResult:
     @cached_property
     def moments(self) -> Moments:
         """Means and covariances of the survival times of all cases, read part by part."""
-        return moments_of(self.parts(), int(self.manifest["cases"]))
+        return moments_of(self.parts(), int(self.manifest["cases"]), "survival_time")
+
+    @cached_property
+    def values(self) -> Moments:
+        """The same of what came of the objectives."""
+        return moments_of(self.parts(), int(self.manifest["cases"]), "value")
 
 
 def load_study(folder: str | os.PathLike[str]) -> StudyResult:

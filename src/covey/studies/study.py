@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from covey.model import PursuerDisk, Team
+from covey.model import LastCapture, Objective, PursuerDisk, Team
 from covey.model.checks import InputError
 from covey.players import CommittedPursuer, IterativeOpenLoop
 from covey.scenarios.starts import Sampler, Square
@@ -37,6 +37,7 @@ class Case(NamedTuple):
     capture_radius: float
     update_time: float
     sensing: str
+    objective: Objective
     evaders: AnyTeam
     pursuer: AnyPursuer
 
@@ -77,6 +78,8 @@ class Study:
         The pursuer, in a disk around the origin.
     update_time, sensing
         See `covey.simulate`.
+    objective
+        What the games are about, by the names that study files know or as values.
     evaders, pursuer
         Strategies, by the names that study files know or as values, your own too.
 
@@ -98,6 +101,7 @@ class Study:
     capture_radius: Any = 0.0
     update_time: Any = 0.01
     sensing: Any = ("visible", "hidden")
+    objective: Any = LastCapture()  # noqa: RUF009 frozen
     evaders: Any = IterativeOpenLoop()  # noqa: RUF009 frozen
     pursuer: Any = CommittedPursuer()  # noqa: RUF009 frozen
 

@@ -2,7 +2,7 @@
 
 starts, seed, sampler, trajectories
 [grid]      team_size, speed, turn_rate, pursuer_speed, disk_radius, capture_radius,
-            update_time, sensing, evaders, pursuer: each a value or a list of values
+            update_time, sensing, objective, evaders, pursuer: each a value or a list of values
 """
 
 from __future__ import annotations

@@ -21,12 +21,14 @@ class Line(NamedTuple):
     guarantee: float  # mean
     survival: Estimate  # mean
     relative: Estimate  # mean over the mean of the first case of the same team size
+    value: Estimate | None  # mean of what came of the objective, where that isn't the last capture
 
 
 def summary(result: StudyResult) -> list[Line]:
     """Return the lines of a study; averages are over starts whose games all came to an end."""
     moments, cases = result.moments, _cases(result)
     varying = [name for name in GRID if len({str(case[name]) for case in cases}) > 1]
+    others = any(each["name"] != "last-capture" for each in result.study["grid"]["objective"])
     lines, bases = [], dict[int, int]()
     for k, case in enumerate(cases):
         base = bases.setdefault(case["team_size"], k)
@@ -39,6 +41,7 @@ def summary(result: StudyResult) -> list[Line]:
                 guarantee=float(moments.guarantee[k]),
                 survival=moments.average(k),
                 relative=moments.ratio(k, base),
+                value=result.values.average(k) if others else None,
             )
         )
     return lines

@@ -19,7 +19,7 @@ from covey.studies.study import GRID, Study
 if TYPE_CHECKING:
     import pyarrow as pa
 
-_WORDS = ("sensing", "evaders", "pursuer")
+_WORDS = ("sensing", "objective", "evaders", "pursuer")
 _WHOLE = ("team_size",)
 GAMES, MOMENTS = "games", "trajectories"
 
@@ -40,6 +40,8 @@ def games_table(study: Study, games: Iterable[StudyGame]) -> pa.Table:
         columns["seed"].append(game.origin.seed)
         columns["guarantee"].append(game.outcome.guarantee)
         columns["survival_time"].append(game.outcome.survival_time)
+        columns["planned_value"].append(game.outcome.planned_value)
+        columns["value"].append(game.outcome.value)
         for name, value in cases[game.case].items():
             columns[name].append(value)
         _captures(columns, game, size)
@@ -62,8 +64,8 @@ def _captures(columns: dict[str, list[Any]], game: StudyGame, size: int) -> None
 
 def _case_row(case: Any) -> dict[str, Any]:
     row = case._asdict()
-    for side in ("evaders", "pursuer"):
-        row[side] = described_text(description(row[side]))
+    for name in ("objective", "evaders", "pursuer"):
+        row[name] = described_text(description(row[name]))
     return dict(row)
 
 
@@ -81,7 +83,9 @@ def _schema(size: int) -> pa.Schema:
         kinds[name] = pa.string() if name in _WORDS else pa.float64()
     for name in _WHOLE:
         kinds[name] = pa.int32()
-    kinds |= {"seed": pa.int64(), "guarantee": pa.float64(), "survival_time": pa.float64()}
+    kinds["seed"] = pa.int64()
+    for name in ("guarantee", "survival_time", "planned_value", "value"):
+        kinds[name] = pa.float64()
     kinds |= {f"captured_{k}": pa.int32() for k in range(size)}
     kinds |= {f"capture_time_{k}": pa.float64() for k in range(size)}
     for k in range(size):

@@ -1,0 +1,180 @@
+"""What a game is about: what the team makes large, and the pursuer small."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from covey.model.checks import Floats, InputError, Ints, choice, number
+
+MEASURES = ("last", "total")
+
+MOST_SHUFFLED = 8
+"""Largest team whose N! sequences an expectation runs over; 40 320 for this one."""
+
+
+class Draws(NamedTuple):
+    """Capture sequences (K, N) and their probabilities (K,)."""
+
+    sequences: Ints
+    probabilities: Floats
+
+
+@dataclass(frozen=True)
+class LastCapture:
+    """The time of the last capture, guaranteed against any pursuer: the paper's objective."""
+
+    measure: ClassVar[str] = "last"
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return the name, as a scenario file gives it."""
+        return {"name": "last-capture"}
+
+
+@dataclass(frozen=True)
+class TotalSurvival:
+    """The sum of all survival times, guaranteed against any pursuer.
+
+    The first of the two objectives that the paper's last sentence proposes.
+    """
+
+    measure: ClassVar[str] = "total"
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return the name, as a scenario file gives it."""
+        return {"name": "total-survival"}
+
+
+@dataclass(frozen=True)
+class ExpectedSurvival:
+    """The expected value over a pursuer that draws its capture sequence; nothing is guaranteed.
+
+    The second objective that the paper's last sentence proposes. As captures happen, sequences that
+    begin otherwise are ruled out.
+
+    Parameters
+    ----------
+    sequences
+        Those that the pursuer draws from, each with every evader's number once. None: all of them,
+        for teams of up to eight.
+    weights
+        How likely each is, relative to the others, >= 0. None: all alike.
+    measure
+        Of what: "total", the sum of all survival times, or "last", the time of the last capture.
+
+    Raises
+    ------
+    InputError
+        If an argument can't be used.
+    """
+
+    sequences: tuple[tuple[int, ...], ...] | None = None
+    weights: tuple[float, ...] | None = None
+    measure: str = "total"
+
+    def __init__(
+        self,
+        sequences: Sequence[Sequence[int]] | None = None,
+        weights: Sequence[float] | None = None,
+        measure: str = "total",
+    ) -> None:
+        kept = checked_draws("ExpectedSurvival", sequences, weights)
+        for name, value in zip(("sequences", "weights"), kept, strict=True):
+            object.__setattr__(self, name, value)
+        object.__setattr__(self, "measure", choice("ExpectedSurvival.measure", measure, MEASURES))
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return name and parameters, as a scenario file gives them."""
+        return {
+            "name": "expected-survival",
+            **described_draws(self.sequences, self.weights),
+            "measure": self.measure,
+        }
+
+
+Objective = LastCapture | TotalSurvival | ExpectedSurvival
+
+
+def measured(objective: Objective, capture_times: npt.ArrayLike) -> float:
+    """Return what an objective measures of the times at which all of a team were captured."""
+    times = np.asarray(capture_times, dtype=np.float64)
+    return float(times.sum() if objective.measure == "total" else times.max())
+
+
+def draws_of(
+    name: str,
+    sequences: tuple[tuple[int, ...], ...] | None,
+    weights: tuple[float, ...] | None,
+    count: int,
+) -> Draws:
+    """Return the sequences of `count` evaders that are drawn from, and their probabilities.
+
+    Raises
+    ------
+    InputError
+        If they are sequences of another team, or too many; `name` is what the error calls them.
+    """
+    if sequences is None:
+        if count > MOST_SHUFFLED:
+            raise InputError(
+                f"{name}: all sequences of {count} evaders are too many, {MOST_SHUFFLED} evaders "
+                "at most; give the sequences that matter"
+            )
+        sequences = tuple(itertools.permutations(range(count)))
+    if len(sequences[0]) != count:
+        raise InputError(
+            f"{name}: expected sequences of all {count} evaders, got {list(sequences[0])}"
+        )
+    likely = np.ones(len(sequences)) if weights is None else np.array(weights)
+    return Draws(np.array(sequences, dtype=np.int64), likely / likely.sum())
+
+
+def checked_draws(
+    name: str, sequences: Sequence[Sequence[int]] | None, weights: Sequence[float] | None
+) -> tuple[tuple[tuple[int, ...], ...] | None, tuple[float, ...] | None]:
+    """Return sequences of one team and their weights; raise InputError if they are none."""
+    if sequences is None:
+        if weights is not None:
+            raise InputError(f"{name}.weights: expected none without sequences, got {weights!r}")
+        return None, None
+    kept = tuple(tuple(int(i) for i in sequence) for sequence in sequences)
+    if not kept or not kept[0]:
+        raise InputError(f"{name}.sequences: expected at least one, got {list(sequences)}")
+    for sequence in kept:
+        if sorted(sequence) != list(range(len(kept[0]))):
+            raise InputError(
+                f"{name}.sequences: expected each evader 0..{len(kept[0]) - 1} once, "
+                f"got {list(sequence)}"
+            )
+    if len(set(kept)) < len(kept):
+        raise InputError(f"{name}.sequences: expected each once, got one twice")
+    return kept, None if weights is None else _checked_weights(name, weights, len(kept))
+
+
+def _checked_weights(name: str, weights: Sequence[float], count: int) -> tuple[float, ...]:
+    kept = tuple(number(f"{name}.weights", weight, low=0.0) for weight in weights)
+    if len(kept) != count:
+        raise InputError(
+            f"{name}.weights: expected one for each of {count} sequences, got {len(kept)}"
+        )
+    if not 0.0 < sum(kept) < math.inf:
+        raise InputError(f"{name}.weights: expected at least one > 0, got {list(kept)}")
+    return kept
+
+
+def described_draws(
+    sequences: tuple[tuple[int, ...], ...] | None, weights: tuple[float, ...] | None
+) -> Mapping[str, Any]:
+    """Return what was given of sequences and weights, as a scenario file gives it."""
+    described: dict[str, Any] = {}
+    if sequences is not None:
+        described["sequences"] = [list(sequence) for sequence in sequences]
+    if weights is not None:
+        described["weights"] = list(weights)
+    return described
