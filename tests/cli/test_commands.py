@@ -69,6 +69,20 @@ def test_plan_prints_json_to_the_last_digit(scenario, capsys):
     assert told["status"] == plan.status
 
 
+def test_other_objectives_are_told(scenario, tmp_path, capsys):
+    summed = tmp_path / "sum.toml"
+    summed.write_text(THREE + 'objective = "total-survival"\n')
+    plan = load_scenario(summed).plan()
+    out = printed(capsys, "plan", "sum.toml")
+    assert f"guaranteed sum of survival times  {plan.value:.6g}" in out
+    assert "no team could be sure" not in out
+    told = json.loads(printed(capsys, "plan", "sum.toml", "--json"))
+    assert (told["value"], told["objective"]) == (plan.value, {"name": "total-survival"})
+    assert "upper_bound" not in told
+    assert "sum of survival times" in printed(capsys, "simulate", "sum.toml")
+    assert "least sum of survival times" in printed(capsys, "worst-case", "sum.toml")
+
+
 def test_worst_case_prints_time_scope_and_captures(scenario, capsys):
     worst, text = scenario.worst_case(), printed(capsys, "worst-case", "three.toml")
     assert f"least survival time  {worst.survival_time:.6g}" in text

@@ -106,6 +106,14 @@ def test_random_sequences_come_from_the_seed():
     assert len(set(draws)) > 40
 
 
+def test_random_sequences_come_as_often_as_they_weigh():
+    team, disk = random_game(np.random.default_rng(0), 3)
+    pursuer = covey.RandomSequence([(0, 1, 2), (2, 0, 1), (1, 0, 2)], [1.0, 3.0, 0.0])
+    draws = [tuple(pursuer.sequence_for(team, disk, seed).tolist()) for seed in range(400)]
+    assert set(draws) == {(0, 1, 2), (2, 0, 1)}
+    assert draws.count((2, 0, 1)) == pytest.approx(300, abs=45)  # five standard deviations
+
+
 @BOTH
 def test_a_patient_pursuer_is_a_committed_one_without_margin(sensing):
     team, disk = random_game(np.random.default_rng(0), 4)

@@ -47,6 +47,14 @@ BAD = [
         lambda: covey.FixedSequence([1, 2]),
         "FixedSequence: expected each evader 0..N-1 once, got [1, 2]",
     ),
+    (
+        lambda: covey.RandomSequence([(0, 0)]),
+        "RandomSequence.sequences: expected each evader 0..1 once, got [0, 0]",
+    ),
+    (
+        lambda: covey.RandomSequence([(0, 1)], [0.0]),
+        "RandomSequence.weights: expected at least one > 0, got [0.0]",
+    ),
 ]
 
 

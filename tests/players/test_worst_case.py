@@ -37,7 +37,7 @@ class Homing:
 
 
 def brute_force(team, disk, evaders, delays=None, **settings):
-    """The least survival time of all games, each played from the start."""
+    """The least value of all games, each played from the start."""
     count = len(team)
     sequences = itertools.permutations(range(count))
     pursuers = [covey.FixedSequence(sequence) for sequence in sequences]
@@ -50,7 +50,7 @@ def brute_force(team, disk, evaders, delays=None, **settings):
     return min(
         covey.simulate(
             team, disk, evaders=evaders, pursuer=pursuer, sensing="hidden", **settings
-        ).survival_time
+        ).value
         for pursuer in pursuers
     )
 
@@ -94,6 +94,20 @@ def test_every_team_that_comes_with_the_package(evaders):
     least = brute_force(team, disk, evaders, update_time=0.2)
     found = covey.worst_case(team, disk, evaders=evaders, update_time=0.2)
     assert found.survival_time == pytest.approx(least, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "objective",
+    [covey.TotalSurvival(), covey.ExpectedSurvival(), covey.ExpectedSurvival(measure="last")],
+    ids=str,
+)
+@pytest.mark.parametrize("evaders", [covey.IterativeOpenLoop(), covey.OpenLoop(), Homing()])
+def test_the_worst_for_other_objectives(evaders, objective):
+    team, disk = random_game(np.random.default_rng(11), 3, capture_radius=0.02)
+    options = {"evaders": evaders, "update_time": 0.1, "objective": objective}
+    found = covey.worst_case(team, disk, **options)
+    assert found.value == pytest.approx(brute_force(team, disk, **options), rel=1e-12)
+    assert found.survival_time == found.capture_times[-1]
 
 
 @pytest.mark.parametrize(

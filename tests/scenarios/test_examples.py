@@ -25,8 +25,17 @@ def test_the_folder_in_the_checkout_is_the_one_in_the_package():
 def test_an_example_can_be_played_and_says_what_it_shows(name):
     game = example(name).simulate()
     assert game.status is covey.GameStatus.ALL_CAPTURED
-    assert game.survival_time >= game.guarantee - 1e-9
+    assert game.value >= game.planned_value - 1e-9
     assert "# To see: " in example_path(name).read_text(encoding="utf-8")
+
+
+def test_a_game_about_everyone_is_fought_elsewhere():
+    scenario = example("everyone")
+    game = scenario.simulate()
+    last = dataclasses.replace(scenario, objective=covey.LastCapture()).simulate()
+    assert (game.value, game.survival_time) == pytest.approx((5.32, 2.72), abs=0.005)
+    assert last.survival_time == pytest.approx(2.81, abs=0.005)
+    assert (game.capture_sequence[-1], last.capture_sequence[0]) == (0, 0)
 
 
 def test_fig3_is_set_as_the_paper_says():

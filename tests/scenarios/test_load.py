@@ -9,7 +9,7 @@ import pytest
 
 import covey
 from covey.scenarios import load_scenario
-from covey.scenarios.strategies import EVADERS, PURSUERS, make_strategy
+from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, make_strategy
 from scenarios.files import ONE_EVADER, loaded
 
 
@@ -109,13 +109,33 @@ def test_a_scenario_plans_and_plays_what_it_says(tmp_path):
     assert game.guarantee == pytest.approx(scenario.plan().survival_time, rel=1e-9)
 
 
-@pytest.mark.parametrize("known", [EVADERS, PURSUERS])
-def test_a_strategy_describes_itself_as_a_file_would(known):
+@pytest.mark.parametrize("known", [EVADERS, PURSUERS, OBJECTIVES])
+def test_what_has_parameters_describes_itself_as_a_file_would(known):
     for name in known:
         value = {"name": name, "sequence": [0, 1]} if name == "fixed-sequence" else name
         strategy = make_strategy(value, known)
         assert strategy.describe()["name"] == name
         assert make_strategy(dict(strategy.describe()), known) == strategy
+
+
+def test_an_objective_is_planned_and_played_for(tmp_path):
+    text = """
+        [pursuer]
+        strategy = { name = "random-sequence", sequences = [[0, 1], [1, 0]], weights = [1, 3] }
+        [team]
+        evaders = [{ position = [0.3, 0.4] }, { position = [-0.2, 0.1] }]
+        [game]
+        objective = """
+    expected = '{ name = "expected-survival", sequences = [[0, 1], [1, 0]], weights = [1, 3] }'
+    scenario = loaded(tmp_path, text + expected)
+    assert scenario.objective == covey.ExpectedSurvival([(0, 1), (1, 0)], [1, 3])
+    assert scenario.pursuer == covey.RandomSequence([(0, 1), (1, 0)], [1, 3])
+    assert scenario.plan().objective == scenario.objective
+    summed = loaded(tmp_path, text + '"total-survival"')
+    game = summed.simulate()
+    assert game.objective == {"name": "total-survival"}
+    assert game.value == game.capture_times.sum() >= summed.plan().value * (1.0 - 1e-9)
+    assert game.value >= summed.worst_case().value * (1.0 - 1e-9)
 
 
 def test_a_path_may_be_text(tmp_path):

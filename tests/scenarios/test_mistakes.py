@@ -246,6 +246,44 @@ def test_a_mistake_of_a_teams_strategy(strategy, line, tmp_path):
     assert mistakes(tmp_path, text) == [f"team.strategy{line}"]
 
 
+@pytest.mark.parametrize(
+    ("objective", "line"),
+    [
+        (
+            '"total"',
+            ': expected one of "last-capture", "total-survival", "expected-survival", got "total"',
+        ),
+        (
+            '{ name = "total-survival", measure = "last" }',
+            ".measure: unknown key; known here: name",
+        ),
+        (
+            '{ name = "expected-survival", measure = "first" }',
+            '.measure: expected one of "last", "total", got "first"',
+        ),
+        (
+            '{ name = "expected-survival", sequences = [[0, 1]] }',
+            ".sequences[0]: expected each evader 0..0 once, got [0, 1]",
+        ),
+        (
+            '{ name = "expected-survival", sequences = [0] }',
+            ".sequences: expected a list of sequences of evaders' numbers, got [0]",
+        ),
+        (
+            '{ name = "expected-survival", sequences = [[0]], weights = [-1] }',
+            ".weights: expected a list of finite numbers >= 0, got [-1]",
+        ),
+        (
+            '{ name = "expected-survival", sequences = [[0]], weights = [0] }',
+            ": ExpectedSurvival.weights: expected at least one > 0, got [0.0]",
+        ),
+    ],
+)
+def test_a_mistake_of_an_objective(objective, line, tmp_path):
+    text = f"[game]\nobjective = {objective}\n{ONE_EVADER}"
+    assert mistakes(tmp_path, text) == [f"game.objective{line}"]
+
+
 @pytest.mark.parametrize("offset", ["[1.0, 0.1]", "[0.5]", "0.5"])
 def test_a_mistake_of_a_pursuers_place(offset, tmp_path):
     text = f'[pursuer]\nstrategy = {{ name = "flying", offset = {offset} }}\n{ONE_EVADER}'

@@ -10,6 +10,7 @@ import pytest
 import covey
 from covey.studies import AsVisible, run_study
 from covey.studies.games import play_start
+from covey.studies.summary import summary
 from studies.small import small_study
 
 
@@ -69,6 +70,27 @@ def test_nobody_dies_before_the_guarantee():
     for number in range(20):
         for game in play_start(study, number):
             assert game.outcome.survival_time >= game.outcome.guarantee * (1 - 1e-9)
+
+
+def test_the_objective_is_a_dimension_of_the_grid(tmp_path):
+    objectives = ["last-capture", "total-survival", "expected-survival"]
+    study = small_study(objective=objectives, team_size=3, sensing="hidden", starts=8)
+    result = run_study(study, tmp_path, workers=1)
+    games = result.to_pandas()
+    assert sorted(set(games["objective"])) == [
+        'expected-survival (measure = "total")',
+        "last-capture",
+        "total-survival",
+    ]
+    last, summed = (games[games["objective"] == name] for name in objectives[:2])
+    totals = games[[f"capture_time_{k}" for k in range(3)]].sum(axis=1)
+    assert (last["value"] == last["survival_time"]).all()
+    assert (last["planned_value"] == last["guarantee"]).all()
+    assert summed["value"].to_numpy() == pytest.approx(totals[summed.index].to_numpy(), rel=1e-14)
+    assert (summed["value"] >= summed["planned_value"] * (1.0 - 1e-9)).all()
+    lines = summary(result)
+    assert [line.settings["objective"] for line in lines][:2] == objectives[:2]
+    assert lines[1].value.value == pytest.approx(summed["value"].mean(), rel=1e-14)
 
 
 def test_strategies_of_ones_own_play_by_the_same_rules():

@@ -85,6 +85,12 @@ def test_all_mistakes_of_a_file_are_told_at_once(tmp_path):
         ({"team_size": []}, "expected a value or a list of values"),
         ({"pursuer": covey.FixedSequence([0, 1])}, "expected a sequence of all 5 evaders"),
         ({"evaders": 3}, "evaders: expected a name, or a table"),
+        ({"objective": "totl-survival"}, 'did you mean "total-survival"'),
+        (
+            {"objective": covey.ExpectedSurvival([(0, 1)])},
+            "objective.0.: ExpectedSurvival: expected sequences of all 5 evaders",
+        ),
+        ({"objective": "expected-survival", "team_size": [2, 9]}, "are too many"),
         ({"turn_rate": "pi/0"}, "turn_rate: expected a turn rate >= 0"),
     ],
 )
@@ -102,7 +108,7 @@ def test_a_file_that_is_none_is_an_error(tmp_path):
 
 
 def test_the_papers_studies_come_along():
-    assert example_names() == ["fig4", "fig5", "tournament"]
+    assert example_names() == ["fig4", "fig5", "objectives", "tournament"]
     fig4, fig5 = (read_study(example_path(name)) for name in ("fig4", "fig5"))
     assert fig4.games == 500 * 2 * 2
     assert fig5.games == 500 * 4 * 4 * 2

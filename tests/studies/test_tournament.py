@@ -16,8 +16,9 @@ from covey.model import InputError
 from covey.scenarios.strategies import EVADERS, PURSUERS
 from covey.studies import Study, example_path, read_study, run_study
 from covey.studies.moments import moments_of
-from covey.studies.tournament import is_tournament, labels, scores
-from covey.views.tournament import Ratio
+from covey.studies.scores import labels
+from covey.studies.tournament import is_tournament, tournament
+from covey.views.comparison import Ratio
 from studies.small import files
 
 
@@ -32,8 +33,8 @@ def duel(own, first, **sides):
     """The scores of the second team, by size."""
     times = np.stack([first, own], axis=-1)[:, :, None, :, None]
     sides = {"sensing": "hidden", "evaders": ["iterative-open-loop", "hold-course"], **sides}
-    found = scores(made_up(times, **sides))
-    return {score.team_size: score for score in found if score.evaders == "hold-course"}
+    found = tournament(made_up(times, **sides)).scores
+    return {score.team_size: score for score in found if score.row == "hold-course"}
 
 
 def test_a_team_that_always_lives_half_as_long_scores_a_half_for_sure():
@@ -173,7 +174,7 @@ def test_the_picture_shows_every_ratio_once():
         for team in ("x", "y")
         for size in (2, 3)
     ]
-    figure = views.draw_tournament(ratios, "z")
+    figure = views.draw_comparison(ratios, "z")
     assert len(figure.axes) == 6
     for axes in figure.axes:
         drawn = [list(line.get_xdata()) for line in axes.lines if len(line.get_xdata()) == 2]
@@ -182,4 +183,4 @@ def test_the_picture_shows_every_ratio_once():
         low, high = axes.get_xlim()
         assert low < 0.9 < 1.0 < high
     with pytest.raises(InputError, match="at least one"):
-        views.draw_tournament([], "z")
+        views.draw_comparison([], "z")

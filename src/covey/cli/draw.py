@@ -18,7 +18,8 @@ def draw(
         Parameter(
             name="FILE",
             help="Record of a game, or a scenario, which is played first: its file, or the name "
-            "of one that comes with covey. Or the folder with the results of a tournament.",
+            "of one that comes with covey. Or the folder with the results of a study that compares "
+            "teams or objectives.",
         ),
     ],
     /,
@@ -55,12 +56,12 @@ def draw(
         covey draw results/tournament --output tournament.png
     """
     if Path(file).is_dir():
-        from covey.cli.tournament import draw_tournament
+        from covey.cli.comparison import draw_comparison
         from covey.model import InputError
 
         if (view, record, seed) != (None, None, None):
             raise InputError(f"{file}: --view, --record and --seed are for games; it is a folder")
-        draw_tournament(Path(file), output)
+        draw_comparison(Path(file), output)
         return
     from covey.cli.drawing import draw_view
     from covey.cli.sources import read_scenario_or_game

@@ -42,8 +42,9 @@ def study(
     Every start is played in every case of the study's grid. The tables come out the same, byte for
     byte, for any number of workers and however often the run was stopped and started again.
 
-    Three studies come with covey and are asked for by name: fig4 and fig5, those of the paper, and
-    tournament, every team against every pursuer.
+    Four studies come with covey and are asked for by name: fig4 and fig5, those of the paper,
+    tournament, every team against every pursuer, and objectives, games about other things than the
+    last capture.
 
     Try:
 

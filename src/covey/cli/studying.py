@@ -18,9 +18,9 @@ from rich.progress import (
 )
 from rich.table import Table
 
+from covey.cli.comparison import print_comparison
 from covey.cli.outputs import print_saved
 from covey.cli.sources import path_of
-from covey.cli.tournament import print_tournament
 from covey.studies import (
     Line,
     Study,
@@ -31,8 +31,8 @@ from covey.studies import (
     run_study,
     summary,
 )
+from covey.studies.comparison import comparison
 from covey.studies.moments import Estimate
-from covey.studies.tournament import is_tournament
 
 _HEADINGS = {"team_size": "team", "turn_rate": "turn rate", "update_time": "update time"}
 
@@ -72,10 +72,11 @@ def follow(
 
 
 def print_study(result: StudyResult) -> None:
-    """Print a line for each case, or the tables of a tournament, and what is missing."""
+    """Print a line for each case, or the tables of a comparison, and what is missing."""
     console = Console(highlight=False)
-    if is_tournament(result.study):
-        print_tournament(console, result)
+    compared = comparison(result)
+    if compared is not None:
+        print_comparison(console, compared)
     else:
         _print_cases(console, result)
     print_saved(result.folder)

@@ -54,11 +54,13 @@ def print_game(game: Game) -> None:
 
 def print_worst_case(worst: WorstCase) -> None:
     """Print the least survival time, what it was taken over, and the captures that lead to it."""
-    console = _console()
+    console, least = _console(), ("least survival time", number(worst.value))
+    if worst.value != worst.survival_time:
+        least = ("least sum of survival times", number(worst.value))
     console.print(
         _facts(
             [
-                ("least survival time", number(worst.survival_time)),
+                least,
                 ("over", str(worst.scope)),
                 ("played", f"{worst.flights} flights from one capture to the next"),
             ]
@@ -76,7 +78,7 @@ def outcome(game: Game) -> list[tuple[str, str]]:
     survived = number(game.survival_time)
     if math.isinf(game.survival_time):
         survived = f"more than {number(float(game.times[-1]))}: {game.status}"
-    elif game.guarantee > 0.0:
+    elif game.guarantee > 0.0 and game.objective["name"] == "last-capture":
         survived += f"  ({game.survival_time / game.guarantee:.3g} times the guarantee)"
     return [
         ("pursuer", f"{game.sensing}, {_strategy(game, 'pursuer')}"),

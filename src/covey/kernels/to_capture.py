@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from covey.kernels._jit import compiled
+from covey.kernels.aim import spent
 from covey.kernels.path import X, Y
 from covey.kernels.policy import TeamMemory, TeamPolicy, plan_again
 from covey.kernels.rules import (
@@ -18,7 +19,7 @@ from covey.kernels.rules import (
     remove,
 )
 from covey.kernels.search import SearchScratch
-from covey.kernels.subsets import least_time
+from covey.kernels.worst import least_value
 
 _ROUNDING = 1e-9
 """Of a delay, relative: it is a sum of times between updates."""
@@ -74,15 +75,17 @@ def is_due(time: float, held_since: float, delay: float) -> bool:
 
 
 @compiled
-def promise(state: State, rules: Rules, search: SearchScratch) -> float:
-    """The least time of the last capture if the team flew what it has planned to the end."""
+def promise(state: State, rules: Rules, total: bool, search: SearchScratch) -> float:
+    """What the living are sure of if they fly what is planned to the end: last capture or sum."""
     announce(state, rules)
-    rest, _ = least_time(
+    alive = state.alive[0]
+    rest, _ = least_value(
         state.paths,
-        state.alive[0],
+        alive,
         pursuit_from(state, rules),
+        total,
         math.inf,
         search.ascent.found,
-        search.ascent.worst.subsets,
+        search.ascent.worst,
     )
-    return state.time[0] + rest
+    return rest + spent(state.time[0], alive, total)

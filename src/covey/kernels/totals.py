@@ -8,8 +8,8 @@ dominated by another with the same captured and last that is no later *and* has 
 the dynamic programme over undominated pairs is exact.
 
 Pairs are many in the worst case, so memory is bounded another way: beginnings are followed depth
-first, the nearest evader first, and only a few pairs of each state are remembered. One that is
-forgotten costs time, never exactness.
+first, the nearest evader first, and one pair of each state is remembered. Those that are forgotten
+cost time, never exactness (docs/decisions/0009).
 """
 
 from __future__ import annotations
@@ -25,21 +25,16 @@ from covey.kernels.lines import captures_on_lines, make_lines, padded, set_lines
 from covey.kernels.path import TURN_END, VELOCITY_X, VELOCITY_Y, position
 from covey.kernels.types import Floats, Ints, Pursuit, Table
 
-MOST_IN_TOTAL = 16
-"""Largest team the least sum serves: its tables fill 80 N 2^N bytes, 84 MB for N = 16."""
-
-_REMEMBERED = 4
 _ROUNDING = 1e-13
 
 
 class TotalScratch(NamedTuple):
     """Arrays of `least_total` for up to n evaders; sets are bit masks, a depth is their size."""
 
-    times: Table  # (2**n * n, _REMEMBERED) of pairs, by set and last captured
-    sums: Table  # (2**n * n, _REMEMBERED)
-    counts: Ints  # (2**n * n,) pairs entered in the call that `stamps` names
-    stamps: Ints  # (2**n * n,)
-    call: Ints  # (1,)
+    times: Floats  # (2**n * n,) of the pairs remembered, by set and last captured
+    sums: Floats  # (2**n * n,)
+    stamps: Ints  # (2**n * n,) in which call
+    call: Ints  # (1,) the present one
     lines: Table
     arrivals: Table  # (n + 1, padded(n)) from the beginning at each depth
     reliefs: Floats  # (n,) by how much a capture on the way may bring another one forward
@@ -50,12 +45,11 @@ class TotalScratch(NamedTuple):
 
 @allocating
 def total_scratch(n: int) -> TotalScratch:
-    """Allocate the scratch of `least_total`."""
+    """Allocate the scratch of `least_total`: 24 N 2^N bytes."""
     states = n << n
     return TotalScratch(
-        np.empty((states, _REMEMBERED)),
-        np.empty((states, _REMEMBERED)),
-        np.zeros(states, np.int64),
+        np.empty(states),
+        np.empty(states),
         np.zeros(states, np.int64),
         np.zeros(1, np.int64),
         make_lines(n),
@@ -145,20 +139,12 @@ def _at_least(
 
 @compiled
 def _is_dominated(state: int, time: float, total: float, scratch: TotalScratch) -> bool:
-    """Whether a remembered pair of this state is as early and as small; if not, remember this."""
-    times, sums, counts = scratch.times, scratch.sums, scratch.counts
-    if scratch.stamps[state] != scratch.call[0]:
-        scratch.stamps[state], counts[state] = scratch.call[0], 0
-    remembered = min(counts[state], _REMEMBERED)
-    slot = counts[state] % _REMEMBERED
-    for k in range(remembered):
-        if times[state, k] <= time and sums[state, k] <= total:
-            return True
-        if time <= times[state, k] and total <= sums[state, k]:
-            slot = k
-    if slot == counts[state] % _REMEMBERED:
-        counts[state] += 1
-    times[state, slot], sums[state, slot] = time, total
+    """Whether the pair remembered of this state is as early and as small; if not, remember this."""
+    remembered = scratch.stamps[state] == scratch.call[0]
+    if remembered and scratch.times[state] <= time and scratch.sums[state] <= total:
+        return True
+    scratch.stamps[state] = scratch.call[0]
+    scratch.times[state], scratch.sums[state] = time, total
     return False
 
 

@@ -6,7 +6,6 @@ import numpy as np
 
 from covey.kernels.aim import Aim
 from covey.kernels.columns import Columns
-from covey.kernels.totals import MOST_IN_TOTAL
 from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, TotalSurvival
 from covey.model.objectives import Draws, draws_of
 
@@ -17,16 +16,14 @@ def aim_of(objective: Objective, count: int) -> Aim:
     Raises
     ------
     InputError
-        If it is one of another team, or the team is too large for it.
+        If it is an expectation of another team, or over too many sequences.
     """
-    expected, total = isinstance(objective, ExpectedSurvival), objective.measure == "total"
-    if isinstance(objective, TotalSurvival) and count > MOST_IN_TOTAL:
-        raise InputError(
-            f"objective: expected at most {MOST_IN_TOTAL} evaders for the sum of survival times, "
-            f"got {count}; it needs 80 N 2^N bytes"
-        )
     sequences, probabilities = _draws(objective, count)
-    return Aim(total, expected, Columns(np.full(1, len(sequences)), sequences, probabilities))
+    return Aim(
+        objective.measure == "total",
+        isinstance(objective, ExpectedSurvival),
+        Columns(np.full(1, len(sequences)), sequences, probabilities),
+    )
 
 
 def checked_objective(objective: object) -> Objective:

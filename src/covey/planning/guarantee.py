@@ -129,8 +129,7 @@ def guaranteed_survival(
     turns
         (N,) signed turns δ, radians.
     objective
-        Of what: the last capture, or `TotalSurvival()`, the sum of all survival times, for up to 16
-        evaders.
+        Of what: the last capture, or `TotalSurvival()`, the sum of all survival times.
 
     Returns
     -------
@@ -147,7 +146,7 @@ def guaranteed_survival(
     -----
     The two inner minima of eq. (6), by dynamic programming over subsets (Held and Karp, 1962)
     instead of N! sequences; memory 16 N 2^N bytes. For the sum a state needs pairs of the time and
-    the sum so far, docs/decisions/0009; memory 80 N 2^N bytes.
+    the sum so far, docs/decisions/0009; memory 24 N 2^N bytes.
     """
     check_game(team, disk)
     if isinstance(objective, ExpectedSurvival):

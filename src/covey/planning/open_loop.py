@@ -106,8 +106,8 @@ def plan(
         The state of the game; up to 18 evaders, each slower than the pursuer.
     objective
         What is made large: by default the last capture, guaranteed; `TotalSurvival()`, the sum of
-        all survival times, guaranteed, for up to 16 evaders; `ExpectedSurvival(...)`, the expected
-        value of either over a pursuer that draws its sequence.
+        all survival times, guaranteed; `ExpectedSurvival(...)`, the expected value of either over a
+        pursuer that draws its sequence.
     seed
         Seed of the random starts. The same call gives the same plan, bit for bit.
     starts

@@ -14,7 +14,7 @@ from covey.kernels.policy import TeamMemory
 from covey.kernels.rules import State
 from covey.kernels.search import search_scratch
 from covey.kernels.to_capture import play_to_capture, promise
-from covey.model import InputError, PursuerDisk, Team
+from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team, measured
 from covey.model.checks import number
 from covey.planning import plan
 from covey.players.compiled import BuiltInTeam, checked_settings, team_is_built_in
@@ -42,6 +42,8 @@ class WorstCase:
     ----------
     survival_time : float
         Time of the last capture.
+    value : float
+        What the objective measures, and the pursuer makes small: the last capture or the sum.
     sequence : tuple of int
         The order of capture that leads to it.
     capture_times : tuple of float
@@ -56,6 +58,7 @@ class WorstCase:
     """
 
     survival_time: float
+    value: float
     sequence: tuple[int, ...]
     capture_times: tuple[float, ...]
     delays: tuple[float, ...]
@@ -79,6 +82,7 @@ def worst_case(
     delays: Sequence[float] = (0.0,),
     update_time: float = 0.01,
     seed: int = 0,
+    objective: Objective = LastCapture(),  # noqa: B008 frozen
 ) -> WorstCase:
     """Find the capture sequence by which a hidden pursuer ends a team's survival earliest.
 
@@ -94,8 +98,8 @@ def worst_case(
     delays
         Each capture may wait so long after the disk has reached the evader, times >= 0; see
         `covey.players.DelayedSequence`. By default it doesn't wait, as in the paper.
-    update_time, seed
-        As `simulate` takes them.
+    update_time, seed, objective
+        As `simulate` takes them. The worst case is the least of what the objective measures.
 
     Returns
     -------
@@ -116,7 +120,7 @@ def worst_case(
     sequence from the start: N! games, times the delays. It must play the same game when it is
     started anew with the same seed.
     """
-    checked = checked_settings(team, disk, "hidden", update_time, seed, None)
+    checked = checked_settings(team, disk, "hidden", update_time, seed, None, objective)
     settings = replace(checked, time_limit=math.inf)  # captures that wait may come after it
     waits = tuple(dict.fromkeys(number("delays", delay, low=0.0) for delay in delays))
     if not waits:
@@ -127,10 +131,11 @@ def worst_case(
         worst, flights = tree.worst, tree.flights
     else:
         games = [*_all_games(team, disk, evaders, waits, settings)]
-        worst = min(games, key=lambda captures: captures[-1].time)
+        worst = min(games, key=lambda captures: _value(captures, objective))
         flights = len(games) * len(team)
     return WorstCase(
         survival_time=worst[-1].time,
+        value=_value(worst, objective),
         sequence=tuple(capture.evader for capture in worst),
         capture_times=tuple(capture.time for capture in worst),
         delays=tuple(capture.delay for capture in worst),
@@ -145,11 +150,11 @@ class _Node(NamedTuple):
     captures: tuple[Capture, ...]
     state: State
     memory: TeamMemory
-    promised: float  # no game that goes on from here ends earlier
+    promised: float  # no game that goes on from here has a smaller value
 
 
 class _Tree:
-    """Depth first, the smallest promise first; `worst` is the game that ended earliest so far."""
+    """Depth first, the smallest promise first; `worst` is the game of least value so far."""
 
     def __init__(
         self,
@@ -161,13 +166,17 @@ class _Tree:
     ) -> None:
         n = len(team)
         self._rules, self._policy = settings.rules(disk), strategy.compiled()
-        self._delays, self._scratch = delays, search_scratch(n)
-        first = plan(team, disk, seed=settings.seed, starts=strategy.starts)
+        self._delays, self._objective = delays, settings.objective
+        first = plan(
+            team, disk, objective=settings.objective, seed=settings.seed, starts=strategy.starts
+        )
         state = first_state(team, disk)
         state.turns[:] = first.turns
         memory = first_memory(first, settings.seed, self._policy.restarts)
-        self._root = _Node((), state, memory, first.survival_time)
+        self._scratch = search_scratch(n, memory.aim.total)
+        self._root = _Node((), state, memory, first.value)
         self.worst: tuple[Capture, ...] = ()
+        self._least = math.inf
         self.flights = 0
 
     def explore(self) -> None:
@@ -176,11 +185,12 @@ class _Tree:
 
     def _explore(self, node: _Node) -> None:
         if node.state.alive[0] == 0:
-            if not self.worst or node.captures[-1].time < self.worst[-1].time:
-                self.worst = node.captures
+            value = _value(node.captures, self._objective)
+            if value < self._least:
+                self.worst, self._least = node.captures, value
             return
         for child in sorted(self._children(node), key=lambda child: child.promised):
-            if not self.worst or child.promised * (1.0 - _PROMISE_KEPT) < self.worst[-1].time:
+            if child.promised * (1.0 - _PROMISE_KEPT) < self._least:
                 self._explore(child)
 
     def _children(self, node: _Node) -> Iterator[_Node]:
@@ -198,9 +208,23 @@ class _Tree:
             ):
                 raise _too_many_updates(self._rules.update_time)
             self.flights += 1
-            capture = Capture(taken, float(state.time[0]), delay)
-            promised = promise(state, self._rules, self._scratch)
-            yield _Node((*node.captures, capture), state, memory, promised)
+            captures = (*node.captures, Capture(taken, float(state.time[0]), delay))
+            yield _Node(captures, state, memory, self._promised(captures, state, memory))
+
+    def _promised(self, captures: tuple[Capture, ...], state: State, memory: TeamMemory) -> float:
+        """What no game that goes on from here falls below; a team that expects promises nothing."""
+        if state.alive[0] == 0:
+            return _value(captures, self._objective)
+        if memory.aim.expected:
+            return -math.inf
+        promised = promise(state, self._rules, memory.aim.total, self._scratch)
+        if memory.aim.total:
+            promised += sum(capture.time for capture in captures)
+        return promised
+
+
+def _value(captures: tuple[Capture, ...], objective: Objective) -> float:
+    return measured(objective, [capture.time for capture in captures])
 
 
 def _all_games(

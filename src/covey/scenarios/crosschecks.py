@@ -12,7 +12,14 @@ from typing import Any
 from covey.kernels.subsets import MOST_EVADERS
 from covey.scenarios.mistakes import Mistake, Place, wanted_but_got
 from covey.scenarios.schema import PursuerSection, TeamSection
-from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Entry, strategy_mistakes
+from covey.scenarios.strategies import (
+    EVADERS,
+    OBJECTIVES,
+    PURSUERS,
+    Entry,
+    misfits_of_parameters,
+    strategy_mistakes,
+)
 from covey.scenarios.values import AWAY, as_not_negative, as_point, as_positive, as_whole
 
 Document = Mapping[str, Any]
@@ -29,9 +36,8 @@ def crosschecks(document: Document) -> Iterator[Mistake]:
     yield from _team_size(document)
     yield from _speeds(document)
     yield from _headings(document)
-    yield from _parameters(document)
     for place in _WITH_PARAMETERS:
-        yield from _sequences(document, place)
+        yield from _parameters(document, place)
 
 
 def _team_size(document: Document) -> Iterator[Mistake]:
@@ -97,11 +103,12 @@ def _headings(document: Document) -> Iterator[Mistake]:
             )
 
 
-def _parameters(document: Document) -> Iterator[Mistake]:
-    for place, known in _WITH_PARAMETERS.items():
-        value = _look(document, *place)
-        if value is not None:
-            yield from strategy_mistakes(place, value, known)
+def _parameters(document: Document, place: Place) -> Iterator[Mistake]:
+    value, known = _look(document, *place), _WITH_PARAMETERS[place]
+    if value is None:
+        return
+    mistakes = [*strategy_mistakes(place, value, known), *_sequences(document, place)]
+    yield from mistakes or misfits_of_parameters(place, value, known)
 
 
 def _sequences(document: Document, place: Place) -> Iterator[Mistake]:

@@ -66,6 +66,7 @@ class Scenario:
             delays=delays,
             update_time=self.update_time,
             seed=self.seed,
+            objective=self.objective,
         )
 
     def simulate(self) -> Game:

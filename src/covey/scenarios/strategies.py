@@ -133,13 +133,7 @@ def strategy_mistakes(place: Place, value: object, known: Mapping[str, Entry]) -
         came = "nothing" if name is None else toml_text(name)
         yield Mistake(where, f"expected {wanted}, got {came}{did_you_mean(name, known)}")
         return
-    mistakes = list(_parameter_mistakes(place, known[name], given))
-    yield from mistakes
-    if not mistakes:
-        try:
-            known[name].make(**given)
-        except InputError as error:  # what is right by itself may not fit together
-            yield Mistake(place, str(error))
+    yield from _parameter_mistakes(place, known[name], given)
 
 
 def _parameter_mistakes(
@@ -162,6 +156,16 @@ def name_and_parameters(value: str | dict[str, Any]) -> tuple[object, dict[str, 
     if isinstance(value, str):
         return value, {}
     return value.get("name"), {key: each for key, each in value.items() if key != "name"}
+
+
+def misfits_of_parameters(
+    place: Place, value: str | dict[str, Any], known: Mapping[str, Entry]
+) -> Iterator[Mistake]:
+    """Find what doesn't fit together among parameters that are right by themselves."""
+    try:
+        make_strategy(value, known)
+    except InputError as error:
+        yield Mistake(place, str(error))
 
 
 def make_strategy(value: str | dict[str, Any], known: Mapping[str, Entry]) -> Any:

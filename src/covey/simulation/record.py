@@ -44,7 +44,9 @@ class Game:
         "evaders" and "pursuer": name and parameters of each, as a scenario file gives them.
     status : GameStatus
     guarantee : float
-        Survival time that the first plan guaranteed.
+        Survival time that the first plan guaranteed, if it was flown to the end; iterative open
+        loop keeps to it where the game is about the last capture, and to `planned_value` where it
+        is about the sum.
     survival_time : float
         Time of the last capture; inf if the game was stopped before it.
     planned_value, value : float

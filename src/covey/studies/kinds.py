@@ -15,6 +15,7 @@ from covey.scenarios.strategies import (
     PURSUERS,
     Entry,
     make_strategy,
+    misfits_of_parameters,
     strategy_mistakes,
 )
 from covey.scenarios.values import (
@@ -60,6 +61,7 @@ class Named:
                 return value, []
             return None, list(strategy_mistakes(place, value, self.known))
         mistakes = list(strategy_mistakes(place, value, self.known))
+        mistakes = mistakes or list(misfits_of_parameters(place, value, self.known))
         return None if mistakes else make_strategy(value, self.known), mistakes
 
 

@@ -65,7 +65,7 @@ class Moments(NamedTuple):
         return Z95 * float(np.sqrt(scatter / (self.ended - 1) / self.ended))
 
 
-def moments_of(parts: Iterable[pa.Table], cases: int, column: str) -> Moments:
+def moments_of(parts: Iterable[pa.Table], cases: int, column: str = "survival_time") -> Moments:
     """Return the moments of a column of all games, part by part."""
     total = Moments(
         0, 0, np.zeros(cases, np.int64), np.zeros(cases), np.zeros((cases, cases)), np.zeros(cases)

@@ -75,7 +75,7 @@ class StudyResult:
     @cached_property
     def moments(self) -> Moments:
         """Means and covariances of the survival times of all cases, read part by part."""
-        return moments_of(self.parts(), int(self.manifest["cases"]), "survival_time")
+        return moments_of(self.parts(), int(self.manifest["cases"]))
 
     @cached_property
     def values(self) -> Moments:

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from covey.views.animation import animate
     from covey.views.capture import draw_capture
     from covey.views.closeness import draw_closeness
+    from covey.views.comparison import draw_comparison
     from covey.views.control import draw_control
     from covey.views.curves import draw_gains
     from covey.views.game import draw_game
@@ -19,19 +20,18 @@ if TYPE_CHECKING:
     from covey.views.plan import draw_plan
     from covey.views.saving import save
     from covey.views.snapshots import draw_snapshots
-    from covey.views.tournament import draw_tournament
 
 __all__ = [
     "animate",
     "draw_capture",
     "draw_closeness",
+    "draw_comparison",
     "draw_control",
     "draw_gains",
     "draw_game",
     "draw_plan",
     "draw_ratios",
     "draw_snapshots",
-    "draw_tournament",
     "save",
 ]
 
@@ -39,13 +39,13 @@ _HOMES = {
     "animate": "animation",
     "draw_capture": "capture",
     "draw_closeness": "closeness",
+    "draw_comparison": "comparison",
     "draw_control": "control",
     "draw_gains": "curves",
     "draw_game": "game",
     "draw_plan": "plan",
     "draw_ratios": "histogram",
     "draw_snapshots": "snapshots",
-    "draw_tournament": "tournament",
     "save": "saving",
 }
 

@@ -63,4 +63,6 @@ def _outcome(game: Game) -> str:
     write, end, n = clock(end_of(game)), end_of(game), len(game.team)
     captured = len(game.capture_sequence)
     what = "survived" if captured == n else f"stopped with {n - captured} of {n} alive at"
+    if game.objective["name"] != "last-capture":
+        return f"{what} {write(end)}"  # it wasn't this that a plan promised
     return f"{what} {write(end)} (guaranteed {write(game.guarantee)})"

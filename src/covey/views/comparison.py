@@ -1,8 +1,9 @@
-"""Every team against every pursuer: ratios of mean survival times, a panel for each pursuer."""
+"""Ratios of means with their uncertainty: strips for what is compared, in rows of panels."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from string import ascii_lowercase
 from typing import NamedTuple
 
 from matplotlib.axes import Axes
@@ -14,31 +15,34 @@ from covey.views import style
 from covey.views.sheet import add_axes, new_figure
 from covey.views.style import styled
 
-_TEAM = 0.27
-"""Height of the strip of one team, inches."""
+_STRIP = 0.27
+"""Height of a strip, inches."""
+
+_LETTER = 0.058
+"""Width of a letter of its name, about, inches."""
 
 
 class Ratio(NamedTuple):
-    """A ratio of mean survival times, and where in the picture it stands."""
+    """A ratio of means, and where in the picture it stands."""
 
     row: str  # of panels, from the top
     column: str
-    team: str  # a strip of the panel
+    strip: str  # of the panel
     size: int
     value: float
     error: float  # half width of its confidence interval
 
 
 @styled
-def draw_tournament(ratios: Sequence[Ratio], base: str) -> Figure:
-    """Draw how long teams survive, relative to one of them.
+def draw_comparison(ratios: Sequence[Ratio], label: str) -> Figure:
+    """Draw how teams, or objectives, compare with one of them.
 
     Parameters
     ----------
     ratios
-        In the order in which rows, columns, teams and sizes shall appear.
-    base
-        The team that all ratios relate to.
+        In the order in which rows, columns, strips and sizes shall appear.
+    label
+        Of the axis: what the ratios are.
 
     Returns
     -------
@@ -52,14 +56,15 @@ def draw_tournament(ratios: Sequence[Ratio], base: str) -> Figure:
     """
     if not ratios:
         raise InputError("ratios: expected at least one")
-    rows, columns, teams, sizes = (
+    rows, columns, strips, sizes = (
         list(dict.fromkeys(getattr(ratio, part) for ratio in ratios))
-        for part in ("row", "column", "team", "size")
+        for part in ("row", "column", "strip", "size")
     )
-    left, bottom, gap, between, top = 1.05, 0.38, 0.08, 0.5, 0.42
+    left = _LETTER * (max(map(len, strips)) + 2)
+    bottom, gap, between, top = 0.38, 0.08, 0.5, 0.42
     full = 2.0 * style.COLUMN_WIDTH
     width = (full - left - 0.08 - (len(columns) - 1) * gap) / len(columns)
-    height = _TEAM * len(teams)
+    height = _STRIP * len(strips)
     figure = new_figure(full, bottom + len(rows) * height + (len(rows) - 1) * between + top)
     low, high = _limits(ratios)
     for i, row in enumerate(rows):
@@ -67,15 +72,15 @@ def draw_tournament(ratios: Sequence[Ratio], base: str) -> Figure:
             up = bottom + (len(rows) - 1 - i) * (height + between)
             axes = add_axes(figure, left + j * (width + gap), up, width, height)
             chosen = [ratio for ratio in ratios if (ratio.row, ratio.column) == (row, column)]
-            _draw_panel(axes, chosen, teams, sizes)
+            _draw_panel(axes, chosen, strips, sizes)
             axes.set_xlim(low, high)
             axes.set_title(column, pad=3, fontsize=style.SMALL_TEXT_SIZE)
             if j == 0:
-                axes.set_yticks(range(len(teams)), teams)
+                axes.set_yticks(range(len(strips)), strips)
                 axes.annotate(
-                    f"({'abcdef'[i]})  {row}",
+                    f"({ascii_lowercase[i]})  {row}",
                     (0.0, 1.0),
-                    xytext=(-72.0, 15.0),
+                    xytext=(-72.0 * left, 15.0),
                     xycoords="axes fraction",
                     textcoords="offset points",
                 )
@@ -83,7 +88,7 @@ def draw_tournament(ratios: Sequence[Ratio], base: str) -> Figure:
                 axes.tick_params(labelbottom=False)
     handles, names = figure.axes[0].get_legend_handles_labels()
     figure.legend(handles, names, loc="upper right", ncols=len(sizes), borderaxespad=0.2)
-    figure.supxlabel(f"mean survival time, relative to {base}", y=0.01, fontsize=style.TEXT_SIZE)
+    figure.supxlabel(label, y=0.04 / figure.get_figheight(), fontsize=style.TEXT_SIZE)
     return figure
 
 
@@ -95,7 +100,7 @@ def _limits(ratios: Sequence[Ratio]) -> tuple[float, float]:
 
 
 def _draw_panel(
-    axes: Axes, ratios: Sequence[Ratio], teams: Sequence[str], sizes: Sequence[int]
+    axes: Axes, ratios: Sequence[Ratio], strips: Sequence[str], sizes: Sequence[int]
 ) -> None:
     for k, size in enumerate(sizes):
         chosen = [ratio for ratio in ratios if ratio.size == size]
@@ -103,7 +108,7 @@ def _draw_panel(
         color = style.TEAM_SHADES[k % len(style.TEAM_SHADES)]
         axes.errorbar(
             [ratio.value for ratio in chosen],
-            [teams.index(ratio.team) + 0.8 * offset for ratio in chosen],
+            [strips.index(ratio.strip) + 0.8 * offset for ratio in chosen],
             xerr=[ratio.error for ratio in chosen],
             color=color,
             marker=style.TEAM_MARKS[k % len(style.TEAM_MARKS)],
@@ -114,10 +119,10 @@ def _draw_panel(
             label=f"$N = {size}$",
             gid=f"teams of {size}",
         )
-    for boundary in range(len(teams) - 1):
+    for boundary in range(len(strips) - 1):
         axes.axhline(boundary + 0.5, color=style.DISK, linewidth=0.5 * style.THIN_LINE)
     axes.axvline(1.0, color=style.FAINT, linewidth=style.THIN_LINE, linestyle=style.PURSUER_DOTS)
-    axes.set_ylim(len(teams) - 0.5, -0.5)
+    axes.set_ylim(len(strips) - 0.5, -0.5)
     axes.set_yticks([])
     axes.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10], prune="both"))
     axes.spines[["top", "right"]].set_visible(False)
