@@ -107,21 +107,33 @@ def ascend(
     settled = value <= known * (1.0 + _ROUNDING)
     if settled:
         value = known
-    else:
-        value, _, interceptions = _exact_value(paths, n, pursuit, columns, value, times, scratch)
-        programmes = 1
-    straightened, unit = False, 1.0
+    exact = settled  # until then the value is that of the columns, if there are any
+    straightened, mended, unit = False, False, 1.0
     moved = True  # gradients and curvature belong to other turns
     while steps < most_steps:
+        if value == math.inf:
+            value, _, interceptions = _exact_value(
+                paths, n, pursuit, columns, value, times, scratch
+            )
+            programmes, exact = 1, True
         if moved:
             unit = unit_of(value)
             linearise(paths, n, pursuit, columns, times, unit, scratch.model)
-            straightened = shape(n, columns, times, True, unit, scratch.model)
+            straightened, mended = shape(n, columns, times, True, unit, scratch.model)
         promise = best_step(turns, n, columns, times, box, unit, scratch.model)
         if straightened and promise - value <= tolerance * value:
-            straightened = shape(n, columns, times, False, unit, scratch.model)
+            straightened, mended = shape(n, columns, times, False, unit, scratch.model)
             promise = best_step(turns, n, columns, times, box, unit, scratch.model)
         if promise - value <= tolerance * value:
+            if not exact:
+                value, joined, cost = _exact_value(
+                    paths, n, pursuit, columns, value, times, scratch
+                )
+                programmes += 1
+                interceptions += cost
+                exact = moved = True
+                if joined >= 0:
+                    continue
             if settled and steps == 0:  # it was no saddle when it was found
                 ended = CONVERGED
                 break
@@ -158,6 +170,7 @@ def ascend(
             if joined < 0:
                 break
             linearise_one(paths, n, pursuit, columns, joined, times, unit, scratch.model)
+            value = min(value, times[joined, n - 1])
             if trial > value:
                 break
         gained = (trial - value) / (promise - value)
@@ -166,11 +179,14 @@ def ascend(
             longest = max(longest, abs(scratch.turns[i] - turns[i]))
         moved = gained > 0.0
         if moved:
-            value = trial
+            value, exact = trial, True
             for i in range(n):
                 turns[i] = scratch.turns[i]
             paths, trial_paths = trial_paths, paths
             times, trial_times = trial_times, times
+            if not mended and longest < box and abs(trial - promise) <= tolerance * value:
+                ended = CONVERGED
+                break
         if gained < 0.25:
             box = (0.5 if gained > -1.0 else 0.25) * longest
         elif gained > 0.7:
@@ -178,6 +194,10 @@ def ascend(
         if box < _LEAST_BOX:
             ended = STALLED
             break
+    if not exact:
+        value, _, cost = _exact_value(paths, n, pursuit, columns, value, times, scratch)
+        programmes += 1
+        interceptions += cost
     return value, ended, Tally(steps, programmes, interceptions)
 
 
