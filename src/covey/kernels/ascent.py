@@ -146,7 +146,7 @@ def ascend(
         steps += 1
         trial = _try_step(evaders, n, pursuit, turns, columns, trial_paths, trial_times, scratch)
         for _ in range(_MOST_CORRECTIONS):
-            if trial - value < _DISAPPOINTING * (promise - value):
+            if columns.used[0] > 1 and trial - value < _DISAPPOINTING * (promise - value):
                 trial = _correct(
                     evaders,
                     n,
