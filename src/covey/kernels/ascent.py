@@ -36,7 +36,7 @@ _LEAST_BOX = 1e-9
 _STRIDE = 0.03  # radians, off a saddle
 _MOST_CORRECTIONS = 3
 _ROUNDING = 1e-12
-_DISAPPOINTING = 0.6  # share of the promise below which a step is corrected
+_DISAPPOINTING = 0.4  # share of the promise below which a step is corrected
 
 
 class AscentScratch(NamedTuple):
@@ -95,7 +95,9 @@ def ascend(
     The value never falls below that of the turns given. `box` is the largest first change of a
     turn; the ascent has converged when the model promises less than `tolerance`, relative. The
     turns are `known` to be worth so much at least (-inf: nothing is known); where a column says
-    that they aren't worth more, the dynamic programme needn't be asked.
+    that they aren't worth more, the dynamic programme needn't be asked. Nor need it be where a step
+    leads to turns that are worth more than the columns before it. A step whose promise came true to
+    `tolerance` is the last: what the next would gain is less than what the model was wrong by.
     """
     n = len(turns)
     paths, trial_paths = scratch.paths, scratch.trial_paths
@@ -107,15 +109,13 @@ def ascend(
     settled = value <= known * (1.0 + _ROUNDING)
     if settled:
         value = known
-    exact = settled  # until then the value is that of the columns, if there are any
+    exact = settled  # if not, the value is that of the columns, and may be less
+    if columns.used[0] == 0:
+        value, _, interceptions = _exact_value(paths, n, pursuit, columns, value, times, scratch)
+        programmes, exact = 1, True
     straightened, mended, unit = False, False, 1.0
     moved = True  # gradients and curvature belong to other turns
     while steps < most_steps:
-        if value == math.inf:
-            value, _, interceptions = _exact_value(
-                paths, n, pursuit, columns, value, times, scratch
-            )
-            programmes, exact = 1, True
         if moved:
             unit = unit_of(value)
             linearise(paths, n, pursuit, columns, times, unit, scratch.model)
@@ -170,7 +170,8 @@ def ascend(
             if joined < 0:
                 break
             linearise_one(paths, n, pursuit, columns, joined, times, unit, scratch.model)
-            value = min(value, times[joined, n - 1])
+            if not exact:
+                value = min(value, times[joined, n - 1])
             if trial > value:
                 break
         gained = (trial - value) / (promise - value)
@@ -188,9 +189,9 @@ def ascend(
                 ended = CONVERGED
                 break
         if gained < 0.25:
-            box = (0.5 if gained > -1.0 else 0.25) * longest
+            box = (0.7 if gained > -1.0 else 0.35) * longest
         elif gained > 0.7:
-            box = min(max(box, 2.0 * longest), math.pi)
+            box = min(max(box, 1.5 * longest), math.pi)
         if box < _LEAST_BOX:
             ended = STALLED
             break
