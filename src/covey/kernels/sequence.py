@@ -164,8 +164,9 @@ def add_curvature(
             turn_turn = -flown * (pull_x * paths[i, VELOCITY_X] + pull_y * paths[i, VELOCITY_Y])
             turn_turn -= paths[i, TURN_END_SLOPE] * time_turn
         for a in range(n):
+            bent, timed = bend * across[a], time_time * now[a]
             for b in range(a + 1):
-                hessian[a, b] += bend * across[a] * across[b] + time_time * now[a] * now[b]
+                hessian[a, b] += bent * across[b] + timed * now[b]
         for j in range(n):
             if j <= i:
                 hessian[i, j] += time_turn * now[j]
