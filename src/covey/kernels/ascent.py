@@ -97,7 +97,8 @@ def ascend(
     turns are `known` to be worth so much at least (-inf: nothing is known); where a column says
     that they aren't worth more, the dynamic programme needn't be asked. Nor need it be where a step
     leads to turns that are worth more than the columns before it. A step whose promise came true to
-    `tolerance` is the last: what the next would gain is less than what the model was wrong by.
+    `tolerance` is the last: what the next would gain is less than what the model was wrong by. A
+    straightened model, which may be too stiff, is trusted so far only where something is known.
     """
     n = len(turns)
     paths, trial_paths = scratch.paths, scratch.trial_paths
@@ -185,7 +186,8 @@ def ascend(
                 turns[i] = scratch.turns[i]
             paths, trial_paths = trial_paths, paths
             times, trial_times = trial_times, times
-            if not mended and longest < box and abs(trial - promise) <= tolerance * value:
+            came_true = longest < box and abs(trial - promise) <= tolerance * value
+            if came_true and not mended and not (straightened and known == -math.inf):
                 ended = CONVERGED
                 break
         if gained < 0.25:

@@ -62,8 +62,8 @@ def solve_quadratic(
 ) -> float:
     """Write the maximising `step` and the models' multipliers `weights`; return z.
 
-    `factor` is the Cholesky factor of B as `factorise` writes it. The constraints are the models 0..m-1,
-    then the lower bounds, then the upper ones.
+    `factor` is the Cholesky factor of B as `factorise` writes it. The constraints are the models
+    0..m-1, then the lower bounds, then the upper ones.
     """
     whitened, active, multipliers = scratch.whitened, scratch.active, scratch.multipliers
     for s in range(m):
