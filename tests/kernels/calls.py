@@ -83,7 +83,13 @@ def derivatives(team, disk, turns, sequence, total=False):
 def factor_of(matrix):
     """The Cholesky factor (N, N) of a symmetric matrix, or None if it isn't positive definite."""
     factor = np.zeros_like(matrix)
-    return factor if factorise(np.tril(matrix), len(matrix), factor) else None
+    found = factorise(np.tril(matrix), len(matrix), factor)
+    return with_diagonal_inverted(factor) if found else None
+
+
+def with_diagonal_inverted(factor):
+    """The Cholesky factor as the kernels keep it, or the one that they keep."""
+    return np.tril(factor, -1) + np.diag(1.0 / np.diag(factor))
 
 
 def made_positive(matrix):
@@ -102,7 +108,7 @@ def best_step(values, gradients, factor, pull, low, high):
         m,
         np.asarray(values, dtype=float),
         np.ascontiguousarray(gradients),
-        np.ascontiguousarray(factor),
+        with_diagonal_inverted(factor),
         np.asarray(pull, dtype=float),
         np.asarray(low, dtype=float),
         np.asarray(high, dtype=float),

@@ -45,7 +45,7 @@ LEAST_BOX = 1e-9
 _STRIDE = 0.03  # radians, off a saddle
 _MOST_CORRECTIONS = 3
 _ROUNDING = 1e-12
-_DISAPPOINTING = 0.6  # share of the promise below which a step is corrected
+_DISAPPOINTING = 0.4  # share of the promise below which a step is corrected
 
 
 class AscentScratch(NamedTuple):
@@ -105,7 +105,10 @@ def ascend(
     that of the turns given. `box` is the largest first change of a turn; the ascent has converged
     when the model promises less than `tolerance`, relative. The turns are `known` to be worth so
     much at least (-inf: nothing is known); where a column says that they aren't worth more, the
-    worst sequence needn't be searched.
+    worst sequence needn't be searched. Nor need it be where a step leads to turns that are worth
+    more than the columns before it. A step whose promise came true to `tolerance` is the last: what
+    the next would gain is less than what the model was wrong by. A straightened model, which may be
+    too stiff, is trusted so far only where something is known.
     """
     n = len(turns)
     here, there = scratch.here, scratch.there
@@ -116,21 +119,29 @@ def ascend(
     settled = value <= known * (1.0 + _ROUNDING)
     if settled:
         value = known
-    else:
+    exact = settled  # if not, the value is that of the columns, and may be less
+    if columns.used[0] == 0:
         value, _, interceptions = _exact_value(here, n, pursuit, total, columns, value, scratch)
-        programmes = 1
-    straightened, unit = False, 1.0
+        programmes, exact = 1, True
+    straightened, mended, unit = False, False, 1.0
     moved = True  # gradients and curvature belong to other turns
     while steps < most_steps:
         if moved:
             unit = unit_of(value)
             linearise(here, n, pursuit, total, columns, unit, scratch.model)
-            straightened = shape(n, columns, here.values, True, unit, scratch.model)
+            straightened, mended = shape(n, columns, here.values, True, unit, scratch.model)
         promise = best_step(turns, n, columns, here.values, box, unit, scratch.model)
         if straightened and promise - value <= tolerance * value:
-            straightened = shape(n, columns, here.values, False, unit, scratch.model)
+            straightened, mended = shape(n, columns, here.values, False, unit, scratch.model)
             promise = best_step(turns, n, columns, here.values, box, unit, scratch.model)
         if promise - value <= tolerance * value:
+            if not exact:
+                value, joined, cost = _exact_value(here, n, pursuit, total, columns, value, scratch)
+                programmes += 1
+                interceptions += cost
+                exact = moved = True
+                if joined >= 0:
+                    continue
             if settled and steps == 0:  # it was no saddle when it was found
                 ended = CONVERGED
                 break
@@ -143,7 +154,7 @@ def ascend(
         steps += 1
         trial = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
         for _ in range(_MOST_CORRECTIONS):
-            if trial - value < _DISAPPOINTING * (promise - value):
+            if columns.used[0] > 1 and trial - value < _DISAPPOINTING * (promise - value):
                 trial = _correct(
                     evaders, n, pursuit, total, turns, columns, trial, box, unit, there, scratch
                 )
@@ -154,8 +165,10 @@ def ascend(
             interceptions += cost
             if joined < 0:
                 break
-            evaluate_one(here, n, pursuit, total, columns, joined)
+            joined_value = evaluate_one(here, n, pursuit, total, columns, joined)
             linearise_one(here, n, pursuit, total, columns, joined, unit, scratch.model)
+            if not exact:
+                value = min(value, joined_value)
             if trial > value:
                 break
         gained = (trial - value) / (promise - value)
@@ -164,14 +177,22 @@ def ascend(
             longest = max(longest, abs(scratch.turns[i] - turns[i]))
         moved = gained > 0.0
         if moved:
-            value = trial
+            value, exact = trial, True
             for i in range(n):
                 turns[i] = scratch.turns[i]
             here, there = there, here
+            came_true = longest < box and abs(trial - promise) <= tolerance * value
+            if came_true and not mended and not (straightened and known == -math.inf):
+                ended = CONVERGED
+                break
         box = resized(box, gained, longest)
         if box < LEAST_BOX:
             ended = STALLED
             break
+    if not exact:
+        value, _, cost = _exact_value(here, n, pursuit, total, columns, value, scratch)
+        programmes += 1
+        interceptions += cost
     return value, ended, Tally(steps, programmes, interceptions)
 
 
@@ -182,9 +203,9 @@ def resized(box: float, gained: float, longest: float) -> float:
     It `gained` such a share of what was promised.
     """
     if gained < 0.25:
-        return (0.5 if gained > -1.0 else 0.25) * longest
+        return (0.7 if gained > -1.0 else 0.35) * longest
     if gained > 0.7:
-        return min(max(box, 2.0 * longest), math.pi)
+        return min(max(box, 1.5 * longest), math.pi)
     return box
 
 

@@ -81,13 +81,21 @@ def _inherit(deadlines: Table, n: int, ahead: int, largest: int) -> None:
     """Write the earliest deadlines of the sets without one member.
 
     Whatever few evaders one thinks of, one of the first `largest` + 1 members isn't among them.
+    All at once: a loop over them would go through memory each time, and not in vector registers.
     """
+    all_but_1 = ahead & (ahead - 1)
+    all_but_2 = all_but_1 & (all_but_1 - 1)
+    all_but_3 = all_but_2 & (all_but_2 - 1)
+    all_but_4 = all_but_3 & (all_but_3 - 1)
+    all_but_5 = all_but_4 & (all_but_4 - 1)
+    second = ahead ^ all_but_1 ^ all_but_2
+    third = ahead ^ all_but_2 ^ all_but_3
+    fourth = ahead ^ all_but_3 ^ all_but_4 if largest > 2 else third
+    fifth = ahead ^ all_but_4 ^ all_but_5 if largest > 3 else third
     for j in range(padded(n)):
-        deadlines[ahead, j] = math.inf
-    members = ahead
-    for _ in range(largest + 1):
-        others = members & (members - 1)
-        without = ahead ^ members ^ others
-        for j in range(padded(n)):
-            deadlines[ahead, j] = min(deadlines[ahead, j], deadlines[without, j])
-        members = others
+        a, b, c = deadlines[all_but_1, j], deadlines[second, j], deadlines[third, j]
+        d, e = deadlines[fourth, j], deadlines[fifth, j]
+        a = a if a < b else b
+        c = c if c < d else d
+        a = a if a < c else c
+        deadlines[ahead, j] = a if a < e else e

@@ -16,7 +16,10 @@ _MOST_SWEEPS = 30
 
 @compiled
 def factorise(matrix: Table, n: int, factor: Table) -> bool:
-    """Write the Cholesky factor; return whether `matrix` is positive definite beyond rounding."""
+    """Write the Cholesky factor; return whether `matrix` is positive definite beyond rounding.
+
+    Its diagonal is inverted: what solves with it then multiplies, where it would divide.
+    """
     largest = 0.0
     for i in range(n):
         largest = max(largest, abs(matrix[i, i]))
@@ -26,13 +29,13 @@ def factorise(matrix: Table, n: int, factor: Table) -> bool:
             pivot -= factor[j, k] * factor[j, k]
         if not pivot > _TINY * largest:
             return False
-        root = math.sqrt(pivot)
-        factor[j, j] = root
+        inverse = 1.0 / math.sqrt(pivot)
+        factor[j, j] = inverse
         for i in range(j + 1, n):
             entry = matrix[i, j]
             for k in range(j):
                 entry -= factor[i, k] * factor[j, k]
-            factor[i, j] = entry / root
+            factor[i, j] = entry * inverse
     return True
 
 
@@ -71,7 +74,7 @@ def diagonalise(matrix: Table, n: int, vectors: Table) -> None:
             diagonal += matrix[i, i] * matrix[i, i]
             for j in range(i):
                 off += matrix[i, j] * matrix[i, j]
-        if off <= 1e-24 * diagonal:
+        if off <= 1e-16 * diagonal:
             return
         for p in range(n):
             for q in range(p):
@@ -84,19 +87,22 @@ def _rotate(matrix: Table, n: int, vectors: Table, p: int, q: int) -> None:
     """Make entry (p, q), q < p, zero by a rotation in the plane of p and q."""
     entry = matrix[p, q]
     slope = 0.5 * (matrix[q, q] - matrix[p, p]) / entry
-    tangent = math.copysign(1.0, slope) / (abs(slope) + math.hypot(slope, 1.0))
-    cosine = 1.0 / math.hypot(tangent, 1.0)
+    tangent = math.copysign(1.0, slope) / (abs(slope) + math.sqrt(slope * slope + 1.0))
+    cosine = 1.0 / math.sqrt(tangent * tangent + 1.0)
     sine = tangent * cosine
     matrix[p, p] -= tangent * entry
     matrix[q, q] += tangent * entry
     matrix[p, q] = 0.0
+    for k in range(q):
+        at_p, at_q = matrix[p, k], matrix[q, k]
+        matrix[p, k], matrix[q, k] = cosine * at_p - sine * at_q, cosine * at_q + sine * at_p
+    for k in range(q + 1, p):
+        at_p, at_q = matrix[p, k], matrix[k, q]
+        matrix[p, k], matrix[k, q] = cosine * at_p - sine * at_q, cosine * at_q + sine * at_p
+    for k in range(p + 1, n):
+        at_p, at_q = matrix[k, p], matrix[k, q]
+        matrix[k, p], matrix[k, q] = cosine * at_p - sine * at_q, cosine * at_q + sine * at_p
     for k in range(n):
-        if k not in (p, q):
-            row_p, column_p = max(k, p), min(k, p)
-            row_q, column_q = max(k, q), min(k, q)
-            at_p, at_q = matrix[row_p, column_p], matrix[row_q, column_q]
-            matrix[row_p, column_p] = cosine * at_p - sine * at_q
-            matrix[row_q, column_q] = cosine * at_q + sine * at_p
         vector_p, vector_q = vectors[k, p], vectors[k, q]
         vectors[k, p] = cosine * vector_p - sine * vector_q
         vectors[k, q] = cosine * vector_q + sine * vector_p

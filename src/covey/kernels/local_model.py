@@ -137,8 +137,10 @@ def linearise_one(
 @compiled
 def shape(
     n: int, columns: Columns, values: Floats, straighten: bool, unit: float, scratch: ModelScratch
-) -> bool:
-    """Factor the curvature for the quadratic programme; return whether it was straightened.
+) -> tuple[bool, bool]:
+    """Factor the curvature for the quadratic programme; return how it was changed for that.
+
+    The first is whether it was straightened, the second whether its sign was mended by force.
 
     The columns that are active decide the step along the differences of their gradients, whatever
     the curvature there. Where the curvature has a wrong sign, a penalty on missing the point where
@@ -148,13 +150,14 @@ def shape(
     for i in range(n):
         scratch.pull[i] = 0.0
     if factorise(scratch.curvature, n, scratch.factor):
-        return False
+        return False, False
     _copy_curvature(n, scratch)
     straightened = straighten and _penalise(n, columns, values, unit, scratch)
-    if not factorise(scratch.shaped, n, scratch.factor):
-        make_positive(scratch.shaped, n, scratch.vectors, scratch.sizes)
-        factorise(scratch.shaped, n, scratch.factor)
-    return straightened
+    if factorise(scratch.shaped, n, scratch.factor):
+        return straightened, False
+    make_positive(scratch.shaped, n, scratch.vectors, scratch.sizes)
+    factorise(scratch.shaped, n, scratch.factor)
+    return straightened, True
 
 
 @compiled

@@ -62,8 +62,8 @@ def solve_quadratic(
 ) -> float:
     """Write the maximising `step` and the models' multipliers `weights`; return z.
 
-    `factor` is the Cholesky factor of B, from `factorise`. The constraints are the models 0..m-1,
-    then the lower bounds, then the upper ones.
+    `factor` is the Cholesky factor of B as `factorise` writes it. The constraints are the models
+    0..m-1, then the lower bounds, then the upper ones.
     """
     whitened, active, multipliers = scratch.whitened, scratch.active, scratch.multipliers
     for s in range(m):
@@ -252,38 +252,38 @@ def _dot(a: Floats, b: Floats, n: int) -> float:
 
 @inlined
 def _forward(factor: Floats, n: int, right: Floats, out: Floats) -> None:
-    """Solve L out = right; both may be the same array."""
+    """Solve L out = right, the diagonal inverted; both may be the same array."""
     for i in range(n):
         total = right[i]
         for k in range(i):
             total -= factor[i, k] * out[k]
-        out[i] = total / factor[i, i]
+        out[i] = total * factor[i, i]
 
 
 @inlined
 def _backward(factor: Floats, n: int, right: Floats, out: Floats) -> None:
-    """Solve L' out = right; both may be the same array."""
+    """Solve L' out = right likewise."""
     for i in range(n - 1, -1, -1):
         total = right[i]
         for k in range(i + 1, n):
             total -= factor[k, i] * out[k]
-        out[i] = total / factor[i, i]
+        out[i] = total * factor[i, i]
 
 
 @compiled
 def _factorise_gram(gram: Floats, count: int) -> None:
-    """Cholesky factor of the active products; a row that depends on the others is disabled."""
+    """Cholesky factor as of `factorise`; a row that depends on the others is disabled."""
     for j in range(count):
         pivot = gram[j, j]
         for k in range(j):
             pivot -= gram[j, k] * gram[j, k]
-        root = math.sqrt(pivot) if pivot > _TINY * gram[j, j] else math.inf
+        inverse = 1.0 / math.sqrt(pivot) if pivot > _TINY * gram[j, j] else 0.0
         for i in range(j + 1, count):
             entry = gram[i, j]
             for k in range(j):
                 entry -= gram[i, k] * gram[j, k]
-            gram[i, j] = entry / root
-        gram[j, j] = root
+            gram[i, j] = entry * inverse
+        gram[j, j] = inverse
 
 
 @compiled

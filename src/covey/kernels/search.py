@@ -19,7 +19,7 @@ from covey.kernels.path import set_paths
 from covey.kernels.starts import BATCH, Elite, enter, lay_out, make_elite
 from covey.kernels.types import Floats, Pursuit, Table
 
-FIRST_BOX = 1.0
+FIRST_BOX = 0.6
 """Largest first change of a turn, radians, in an ascent that starts from nowhere in particular."""
 
 WARM_BOX = 0.2

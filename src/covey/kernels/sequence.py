@@ -77,12 +77,13 @@ def differentiate(
     for k in range(last + 1):
         i, time = sequence[k], times[k]
         place_x, place_y = position(paths, i, time)
-        distance = math.hypot(place_x - x, place_y - y)
+        off_x, off_y = place_x - x, place_y - y
+        distance = math.sqrt(off_x * off_x + off_y * off_y)
         captures[k, NORMAL_X] = captures[k, NORMAL_Y] = captures[k, CLOSENESS] = 0.0
         if distance > 0.0 and (time > before or distance >= radius):
             captures[k, NORMAL_X], captures[k, NORMAL_Y] = (
-                (place_x - x) / distance,
-                (place_y - y) / distance,
+                off_x / distance,
+                off_y / distance,
             )
             captures[k, CLOSENESS] = 1.0 / distance
         captures[k, SPEED_X], captures[k, SPEED_Y] = velocity(paths, i, time)
@@ -176,8 +177,9 @@ def add_curvature(
             turn_turn = -flown * (pull_x * paths[i, VELOCITY_X] + pull_y * paths[i, VELOCITY_Y])
             turn_turn -= paths[i, TURN_END_SLOPE] * time_turn
         for a in range(n):
+            bent, timed = bend * across[a], time_time * now[a]
             for b in range(a + 1):
-                hessian[a, b] += bend * across[a] * across[b] + time_time * now[a] * now[b]
+                hessian[a, b] += bent * across[b] + timed * now[b]
         for j in range(n):
             if j <= i:
                 hessian[i, j] += time_turn * now[j]

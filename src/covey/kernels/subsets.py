@@ -71,11 +71,13 @@ def least_time(
         bound = nearest_first(paths, n, pursuit, False) * (1.0 + _SLACK) + _LEAST
     set_lines(paths, n, scratch.lines)
     set_deadlines(paths, scratch.lines, n, pursuit, bound, deadlines)
+    x, y = pursuit.center_x, pursuit.center_y
+    captures_on_lines(scratch.lines, n, x, y, pursuit.first_radius, 0.0, pursuit.speed, arrivals)
     interceptions, waiting = n, 0
     for i in range(n):
-        arrival = earliest_capture(
-            paths, i, pursuit.center_x, pursuit.center_y, pursuit.first_radius, 0.0, pursuit.speed
-        )
+        arrival = arrivals[i]
+        if arrival < paths[i, TURN_END]:
+            arrival = capture_in_turn(paths, i, x, y, pursuit.first_radius, 0.0, pursuit.speed)
         if arrival < bound and arrival <= deadlines[full ^ 1 << i, i]:
             queue[waiting] = 1 << i
             waiting += 1
