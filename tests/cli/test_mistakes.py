@@ -53,7 +53,7 @@ def test_all_mistakes_of_a_file_are_printed_under_its_name(capsys):
         ("plan .", ".: can't be read: "),
         (
             "plan none.toml",
-            "none.toml: no such file, and no scenario of that name; with covey come fig3, ",
+            "none.toml: no such file, and no scenario of that name; with covey come everyone, ",
         ),
         (
             "plan fig33",

@@ -27,8 +27,8 @@ _HELP = """\
 Plan how a team of turn-limited vehicles survives, as a team and for as long as possible, against \
 one faster pursuer that it may not see; play the game; draw it.
 
-Games are described in TOML files. Some come with covey and are asked for by name: fig3, \
-uncertain, unequal, unseen, visible.
+Games are described in TOML files. Some come with covey and are asked for by name: \
+everyone, fig3, uncertain, unequal, unseen, visible.
 
 Try:
 
