@@ -35,7 +35,7 @@ PARTS = {
     "best_step": "quadratic",
     "corrected_step": "quadratic",
     "direction_upwards": "quadratic",
-    "column_times": "columns",
+    "evaluate": "columns",
     "capture_times": "columns",
     "set_paths": "paths",
 }

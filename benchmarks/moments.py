@@ -12,6 +12,7 @@ from covey.kernels.columns import Columns
 from covey.kernels.replanning import replan
 from covey.kernels.rules import NOBODY, Rules, announce, fly, initial_state, pursuit_from
 from covey.kernels.search import search_scratch
+from covey.planning.aims import aim_of
 from covey.planning.multistart import MOST_STEPS
 from covey.planning.open_loop import columns_of, start_noise
 from covey.players.evaders import REPLAN_TOLERANCE
@@ -55,6 +56,7 @@ def moments(size):
     generator, disk = np.random.default_rng(size), covey.PursuerDisk()
     rules = Rules(1.0, 0.0, False, UPDATE_TIME, math.inf)
     noise, scratch = start_noise(0, 1, size), search_scratch(size)
+    aim = aim_of(covey.LastCapture(), size)
     while True:
         positions = generator.uniform(-0.5, 0.5, (size, 2))
         bearings = np.arctan2(positions[:, 1], positions[:, 0])
@@ -71,6 +73,7 @@ def moments(size):
             state.evaders,
             size,
             pursuit_from(state, rules),
+            aim,
             noise,
             0,
             REPLAN_TOLERANCE,

@@ -17,6 +17,7 @@ import covey
 from covey.kernels.columns import copy_columns, make_columns
 from covey.kernels.replanning import replan
 from covey.kernels.search import search, search_scratch
+from covey.planning.aims import aim_of
 from covey.planning.guarantee import pursuit_of
 from covey.planning.multistart import MOST_STEPS
 from covey.planning.open_loop import DEFAULT_TOLERANCE, start_noise
@@ -26,7 +27,9 @@ from stopwatch import now
 
 
 @numba.njit
-def timed_replan(repeats, evaders, pursuit, noise, left, worth, known, turns, columns, scratch):
+def timed_replan(
+    repeats, evaders, pursuit, aim, noise, left, worth, known, turns, columns, scratch
+):
     """Median time and value of replans from what is left of a plan and the columns it had."""
     n, value, reading, seconds = len(left), 0.0, np.zeros(2, np.int64), np.empty(repeats)
     for k in range(repeats):
@@ -37,6 +40,7 @@ def timed_replan(repeats, evaders, pursuit, noise, left, worth, known, turns, co
             evaders,
             n,
             pursuit,
+            aim,
             noise,
             0,
             REPLAN_TOLERANCE,
@@ -51,7 +55,7 @@ def timed_replan(repeats, evaders, pursuit, noise, left, worth, known, turns, co
 
 
 @numba.njit
-def timed_plan(repeats, evaders, pursuit, noise, turns, columns, scratch):
+def timed_plan(repeats, evaders, pursuit, aim, noise, turns, columns, scratch):
     """Median time and value of plans from one start."""
     n, value, reading, seconds = len(turns), 0.0, np.zeros(2, np.int64), np.empty(repeats)
     for k in range(repeats):
@@ -60,6 +64,7 @@ def timed_plan(repeats, evaders, pursuit, noise, turns, columns, scratch):
             evaders,
             n,
             pursuit,
+            aim,
             noise,
             1,
             -math.inf,
@@ -83,6 +88,7 @@ class Compiled:
     def __init__(self, size):
         self.repeats = 5 if size <= 10 else 1  # the median counts
         self.noise, self.scratch = start_noise(0, 1, size), search_scratch(size)
+        self.aim = aim_of(covey.LastCapture(), size)
 
     def warm(self, moment):
         """Replan from what is left of the last plan."""
@@ -96,15 +102,15 @@ class Compiled:
         """What `timed_replan` wants besides the number of repeats."""
         team, disk, left = moment.now
         blank, known = make_columns(len(left)), moment.columns
-        evaders, pursuit = team.as_rows(), pursuit_of(disk)
-        worth = moment.worth
-        return evaders, pursuit, self.noise, left, worth, known, left.copy(), blank, self.scratch
+        game = (team.as_rows(), pursuit_of(disk), self.aim)
+        return *game, self.noise, left, moment.worth, known, left.copy(), blank, self.scratch
 
     def cold_arguments(self, moment):
         """What `timed_plan` wants besides the number of repeats."""
         team, disk, away = moment.first
         blank = make_columns(len(away))
-        return team.as_rows(), pursuit_of(disk), self.noise, away.copy(), blank, self.scratch
+        game = (team.as_rows(), pursuit_of(disk), self.aim)
+        return *game, self.noise, away.copy(), blank, self.scratch
 
 
 class FromPython:
