@@ -14,6 +14,7 @@ import numpy as np
 import covey
 from covey.kernels.search import search_all
 from covey.kernels.starts import BEGINNINGS, make_elite
+from covey.planning.aims import aim_of
 from covey.planning.guarantee import pursuit_of
 from covey.planning.multistart import MOST_STEPS
 from covey.planning.open_loop import DEFAULT_TOLERANCE, start_noise
@@ -37,6 +38,7 @@ def best_known(team, disk):
         found = search_all(
             team.as_rows(),
             pursuit_of(disk),
+            aim_of(covey.LastCapture(), len(team)),
             noise,
             BEGINNINGS,
             DEFAULT_TOLERANCE,

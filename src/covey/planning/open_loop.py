@@ -156,7 +156,7 @@ def plan(
         search.go_on_from(*_start_of(warm_start, team))
         starts -= 1
     noise = start_noise(seed, starts, n)
-    if late < math.inf or n >= SIDE_BY_SIDE:
+    if late < math.inf or (n >= SIDE_BY_SIDE and starts > 1):
         in_time = search.follow_side_by_side(noise, starts, late)
     else:
         in_time = True
