@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.columns import Columns
+from covey.kernels.columns import Columns, move_without
 
 
 class Aim(NamedTuple):
@@ -36,12 +36,7 @@ def rule_out(draws: Columns, n: int, row: int) -> None:
     for s in range(draws.used[0]):
         if likely > 0.0 and draws.sequences[s, 0] != row:
             continue
-        k = 0
-        for j in range(n):
-            i = draws.sequences[s, j]
-            if i != row:
-                draws.sequences[kept, k] = i - (i > row)
-                k += 1
+        move_without(draws, n, row, s, kept)
         draws.weights[kept] = draws.weights[s] / likely if likely > 0.0 else draws.weights[s]
         kept += 1
     draws.used[0] = kept

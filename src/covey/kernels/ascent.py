@@ -152,25 +152,24 @@ def ascend(
                 ended = CONVERGED
                 break
         steps += 1
-        trial = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
-        for _ in range(_MOST_CORRECTIONS):
-            if columns.used[0] > 1 and trial - value < _DISAPPOINTING * (promise - value):
-                trial = _correct(
-                    evaders, n, pursuit, total, turns, columns, trial, box, unit, there, scratch
-                )
-            if trial <= value:
-                break
-            trial, joined, cost = _exact_value(there, n, pursuit, total, columns, trial, scratch)
-            programmes += 1
-            interceptions += cost
-            if joined < 0:
-                break
-            joined_value = evaluate_one(here, n, pursuit, total, columns, joined)
-            linearise_one(here, n, pursuit, total, columns, joined, unit, scratch.model)
-            if not exact:
-                value = min(value, joined_value)
-            if trial > value:
-                break
+        trial, value, asked, cost = _step_and_correct(
+            evaders,
+            n,
+            pursuit,
+            total,
+            turns,
+            columns,
+            value,
+            exact,
+            promise,
+            box,
+            unit,
+            here,
+            there,
+            scratch,
+        )
+        programmes += asked
+        interceptions += cost
         gained = (trial - value) / (promise - value)
         longest = 0.0
         for i in range(n):
@@ -194,6 +193,51 @@ def ascend(
         programmes += 1
         interceptions += cost
     return value, ended, Tally(steps, programmes, interceptions)
+
+
+@inlined
+def _step_and_correct(
+    evaders: Table,
+    n: int,
+    pursuit: Pursuit,
+    total: bool,
+    turns: Floats,
+    columns: Columns,
+    value: float,
+    exact: bool,
+    promise: float,
+    box: float,
+    unit: float,
+    here: Point,
+    there: Point,
+    scratch: AscentScratch,
+) -> tuple[float, float, int, int]:
+    """Try the step; correct it where it disappoints, also by columns that join because of it.
+
+    Returns the value there, which is exact if it is above that where the step began; the latter,
+    which a column that joins may lower unless it is `exact`; programmes and interceptions.
+    """
+    trial = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
+    programmes = interceptions = 0
+    for _ in range(_MOST_CORRECTIONS):
+        if columns.used[0] > 1 and trial - value < _DISAPPOINTING * (promise - value):
+            trial = _correct(
+                evaders, n, pursuit, total, turns, columns, trial, box, unit, there, scratch
+            )
+        if trial <= value:
+            break
+        trial, joined, cost = _exact_value(there, n, pursuit, total, columns, trial, scratch)
+        programmes += 1
+        interceptions += cost
+        if joined < 0:
+            break
+        joined_value = evaluate_one(here, n, pursuit, total, columns, joined)
+        linearise_one(here, n, pursuit, total, columns, joined, unit, scratch.model)
+        if not exact:
+            value = min(value, joined_value)
+        if trial > value:
+            break
+    return trial, value, programmes, interceptions
 
 
 @inlined

@@ -103,12 +103,7 @@ def forget_captured(columns: Columns, n: int, row: int) -> None:
     """Take a captured evader out of the columns of n; columns that fall together become one."""
     kept = 0
     for s in range(columns.used[0]):
-        k = 0
-        for j in range(n):
-            i = columns.sequences[s, j]
-            if i != row:
-                columns.sequences[kept, k] = i - (i > row)
-                k += 1
+        move_without(columns, n, row, s, kept)
         columns.weights[kept] = columns.weights[s]
         twin = _twin(columns, kept, n - 1)
         if twin >= 0:
@@ -116,6 +111,17 @@ def forget_captured(columns: Columns, n: int, row: int) -> None:
         else:
             kept += 1
     columns.used[0] = kept
+
+
+@inlined
+def move_without(columns: Columns, n: int, row: int, s: int, slot: int) -> None:
+    """Write sequence s of n without `row` to an earlier slot, or its own; later rows move up."""
+    k = 0
+    for j in range(n):
+        i = columns.sequences[s, j]
+        if i != row:
+            columns.sequences[slot, k] = i - (i > row)
+            k += 1
 
 
 @compiled

@@ -175,14 +175,7 @@ def continue_plan(
     value, ended, cost = climb(
         evaders, pursuit, aim, turns, columns, WARM_BOX, tolerance, most_steps, -math.inf, scratch
     )
-    return Found(
-        value,
-        ended,
-        cost,
-        turns,
-        columns,
-        _column_values(evaders, pursuit, aim, turns, columns, scratch),
-    )
+    return _found(evaders, pursuit, aim, value, ended, cost, turns, columns, scratch)
 
 
 @allocating
@@ -214,14 +207,7 @@ def search_all(
         elite,
         scratch,
     )
-    return Found(
-        value,
-        ended,
-        cost,
-        turns,
-        columns,
-        _column_values(evaders, pursuit, aim, turns, columns, scratch.ascent),
-    )
+    return _found(evaders, pursuit, aim, value, ended, cost, turns, columns, scratch.ascent)
 
 
 @allocating
@@ -242,26 +228,23 @@ def follow_one(
         evaders, n, pursuit, aim, noise, start, tolerance, most_steps, elite, scratch
     )
     turns, columns = scratch.turns, scratch.columns
-    return Found(
-        value,
-        ended,
-        cost,
-        turns,
-        columns,
-        _column_values(evaders, pursuit, aim, turns, columns, scratch.ascent),
-    )
+    return _found(evaders, pursuit, aim, value, ended, cost, turns, columns, scratch.ascent)
 
 
 @allocating
-def _column_values(
+def _found(
     evaders: Table,
     pursuit: Pursuit,
     aim: Aim,
+    value: float,
+    ended: int,
+    cost: Tally,
     turns: Floats,
     columns: Columns,
     scratch: AscentScratch,
-) -> Floats:
-    """What each column comes to."""
+) -> Found:
+    """What was found, with what each column comes to."""
     set_paths(evaders, turns, pursuit.speed, scratch.here.paths)
     evaluate(scratch.here, len(turns), pursuit, aim.total, columns)
-    return scratch.here.values[: columns.used[0]].copy()
+    values = scratch.here.values[: columns.used[0]].copy()
+    return Found(value, ended, cost, turns, columns, values)

@@ -29,7 +29,7 @@ REPLAN_TOLERANCE = 1e-7
 
 @dataclass(frozen=True)
 class OpenLoop:
-    """Plan once, and fly that plan to the end.
+    """Plan once, and fly that plan to the end (section IV.B of the paper).
 
     Parameters
     ----------

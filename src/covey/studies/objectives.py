@@ -10,8 +10,7 @@ import numpy as np
 
 from covey.model.checks import Floats
 from covey.studies.results import StudyResult
-from covey.studies.scores import Comparison, Score, labels, scores_by_size
-from covey.studies.study import GRID
+from covey.studies.scores import Comparison, Score, labels, scores_by_size, varies_alone
 
 _SIDES = ("team_size", "sensing", "objective", "pursuer")
 MEASURES = ("first capture", "mean survival", "last capture")
@@ -19,9 +18,7 @@ MEASURES = ("first capture", "mean survival", "last capture")
 
 def compares_objectives(study: dict[str, Any]) -> bool:
     """Return whether games are about several things, and beside them only `_SIDES` vary."""
-    grid = study["grid"]
-    others = [name for name in GRID if name not in _SIDES]
-    return len(grid["objective"]) > 1 and all(len(grid[name]) == 1 for name in others)
+    return varies_alone(study, "objective", _SIDES)
 
 
 def objectives(result: StudyResult) -> Comparison:

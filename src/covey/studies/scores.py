@@ -33,6 +33,13 @@ class Comparison(NamedTuple):
     scores: list[Score]
 
 
+def varies_alone(study: dict[str, Any], name: str, sides: Sequence[str]) -> bool:
+    """Return whether something varies in a study, and nothing beside it but `sides`."""
+    grid = study["grid"]
+    others = [each for each in grid if each not in (name, *sides)]
+    return len(grid[name]) > 1 and all(len(grid[each]) == 1 for each in others)
+
+
 def scores_by_size(
     place: tuple[str, str, str], sizes: Sequence[int], own: Floats, first: Floats
 ) -> Iterator[Score]:

@@ -9,17 +9,14 @@ from typing import Any
 import numpy as np
 
 from covey.studies.results import StudyResult
-from covey.studies.scores import Comparison, Score, labels, scores_by_size
-from covey.studies.study import GRID
+from covey.studies.scores import Comparison, Score, labels, scores_by_size, varies_alone
 
 _SIDES = ("team_size", "sensing", "evaders", "pursuer")
 
 
 def is_tournament(study: dict[str, Any]) -> bool:
     """Return whether several teams of a study meet pursuers, and nothing else varies but size."""
-    grid = study["grid"]
-    others = [name for name in GRID if name not in _SIDES]
-    return len(grid["evaders"]) > 1 and all(len(grid[name]) == 1 for name in others)
+    return varies_alone(study, "evaders", _SIDES)
 
 
 def tournament(result: StudyResult) -> Comparison:
