@@ -179,6 +179,12 @@ def test_large_teams_are_planned_side_by_side_for_the_sum():
     [
         (lambda: covey.ExpectedSurvival([]), "expected at least one"),
         (lambda: covey.ExpectedSurvival([(0, 2)]), "each evader 0..1 once"),
+        (lambda: covey.ExpectedSurvival([(0, 1), (0, 1, 2)]), "each evader 0..1 once"),
+        (lambda: covey.ExpectedSurvival([(0.5, 1)]), "each evader 0..1 once"),
+        (lambda: covey.ExpectedSurvival([(0, "a")]), "each evader 0..1 once"),
+        (lambda: covey.ExpectedSurvival([[0, [1]]]), "each evader 0..1 once"),
+        (lambda: covey.ExpectedSurvival(3), "sequences: expected a list, got 3"),
+        (lambda: covey.ExpectedSurvival([(0, 1)], 2.0), "weights: expected a list, got 2.0"),
         (lambda: covey.ExpectedSurvival([(0, 1), (0, 1)]), "got one twice"),
         (lambda: covey.ExpectedSurvival([(0, 1)], [1.0, 2.0]), "one for each of 1 sequences"),
         (lambda: covey.ExpectedSurvival([(0, 1)], [-1.0]), ">= 0"),

@@ -49,7 +49,7 @@ BAD = [
     ),
     (
         lambda: covey.RandomSequence([(0, 0)]),
-        "RandomSequence.sequences: expected each evader 0..1 once, got [0, 0]",
+        "RandomSequence.sequences: expected each evader 0..1 once, got (0, 0)",
     ),
     (
         lambda: covey.RandomSequence([(0, 1)], [0.0]),

@@ -5,7 +5,7 @@ Every message names the argument, what was wanted and what came.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -86,13 +86,23 @@ def choice(name: str, value: object, allowed: Sequence[str]) -> str:
     return value
 
 
+def listed(name: str, value: object) -> list[Any]:
+    """Return `value` as a list of whatever it holds."""
+    if isinstance(value, str) or not isinstance(value, Iterable):
+        raise InputError(f"{name}: expected a list, got {value!r}")
+    return list(value)
+
+
 def permutation(name: str, value: object, count: int) -> Ints:
     """Return `value` as a (count,) array that holds each of 0..count-1 once."""
-    array = np.asarray(value)
-    if array.shape != (count,) or sorted(array.tolist()) != list(range(count)):
-        raise InputError(
-            f"{name}: expected each evader 0..{count - 1} once, got {array.tolist()!r}"
-        )
+    try:
+        array = np.asarray(value)
+        fits = array.shape == (count,) and sorted(array.tolist()) == list(range(count))
+    except (TypeError, ValueError):  # a ragged list, or one of this and that
+        fits = False
+    if not fits:
+        came = value.tolist() if isinstance(value, np.ndarray) else value
+        raise InputError(f"{name}: expected each evader 0..{count - 1} once, got {came!r}")
     return np.ascontiguousarray(array, dtype=np.int64)
 
 

@@ -11,7 +11,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from covey.model.checks import Floats, InputError, Ints, choice, number
+from covey.model.checks import Floats, InputError, Ints, choice, listed, number, permutation
 
 MEASURES = ("last", "total")
 
@@ -143,22 +143,21 @@ def checked_draws(
         if weights is not None:
             raise InputError(f"{name}.weights: expected none without sequences, got {weights!r}")
         return None, None
-    kept = tuple(tuple(int(i) for i in sequence) for sequence in sequences)
-    if not kept or not kept[0]:
-        raise InputError(f"{name}.sequences: expected at least one, got {list(sequences)}")
-    for sequence in kept:
-        if sorted(sequence) != list(range(len(kept[0]))):
-            raise InputError(
-                f"{name}.sequences: expected each evader 0..{len(kept[0]) - 1} once, "
-                f"got {list(sequence)}"
-            )
+    given = listed(f"{name}.sequences", sequences)
+    count = len(listed(f"{name}.sequences", given[0])) if given else 0
+    if count == 0:
+        raise InputError(f"{name}.sequences: expected at least one, got {given}")
+    kept = tuple(
+        tuple(permutation(f"{name}.sequences", sequence, count).tolist()) for sequence in given
+    )
     if len(set(kept)) < len(kept):
         raise InputError(f"{name}.sequences: expected each once, got one twice")
     return kept, None if weights is None else _checked_weights(name, weights, len(kept))
 
 
 def _checked_weights(name: str, weights: Sequence[float], count: int) -> tuple[float, ...]:
-    kept = tuple(number(f"{name}.weights", weight, low=0.0) for weight in weights)
+    given = listed(f"{name}.weights", weights)
+    kept = tuple(number(f"{name}.weights", weight, low=0.0) for weight in given)
     if len(kept) != count:
         raise InputError(
             f"{name}.weights: expected one for each of {count} sequences, got {len(kept)}"

@@ -7,7 +7,7 @@ from itertools import product
 from typing import Any
 
 from covey.model import InputError
-from covey.planning.aims import aim_of
+from covey.planning.aims import aim_of, checked_objective
 from covey.players import FixedSequence, KnownSequence
 from covey.scenarios.mistakes import Mistake
 from covey.studies.startfile import FromFile
@@ -42,7 +42,7 @@ def _sequences(values: Mapping[str, Any]) -> Iterator[Mistake]:
 def _objectives(values: Mapping[str, Any]) -> Iterator[Mistake]:
     for (index, objective), size in product(enumerate(values["objective"]), values["team_size"]):
         try:
-            aim_of(objective, size)
+            aim_of(checked_objective(objective), size)
         except InputError as error:
             yield Mistake(("objective", index), str(error))
 
