@@ -11,6 +11,7 @@ from covey.kernels.definite import factorise, make_positive
 from covey.kernels.path import PATH, position, set_paths, velocity
 from covey.kernels.quadratic import quadratic_scratch, solve_quadratic
 from covey.kernels.sequence import CAPTURE, add_curvature, capture_times, differentiate
+from covey.kernels.short_sequence import nearest_first, short_sequence
 from covey.kernels.subsets import least_time, subset_scratch
 from covey.kernels.totals import least_total, total_scratch
 from covey.planning.guarantee import pursuit_of
@@ -44,6 +45,22 @@ def least(team, disk, turns, bound=math.inf, sequence=None):
     paths = paths_of(team, turns, disk.speed)
     time, _ = least_time(paths, n, pursuit_of(disk), bound, found, _scratch(n))
     return time, found
+
+
+def short(team, disk, turns):
+    """A sequence that is short at first sight, and its capture times."""
+    order, times = np.empty(len(team), np.int64), np.empty(len(team))
+    paths = paths_of(team, turns, disk.speed)
+    last = short_sequence(paths, len(team), pursuit_of(disk), order, times)
+    assert last == times[-1]
+    return order, times
+
+
+def nearest(team, disk, turns):
+    """The last capture where whoever can be captured soonest is next."""
+    order, times = np.empty(len(team), np.int64), np.empty(len(team))
+    paths = paths_of(team, turns, disk.speed)
+    return nearest_first(paths, len(team), pursuit_of(disk), -1, order, times)
 
 
 def least_sum(team, disk, turns, bound=math.inf, sequence=None):

@@ -10,7 +10,8 @@ from covey.kernels.ascent import AscentScratch, Tally, ascend
 from covey.kernels.columns import Columns
 from covey.kernels.expected import ascend_expected, expected_value
 from covey.kernels.path import set_paths
-from covey.kernels.subsets import nearest_first
+from covey.kernels.sequence import measured
+from covey.kernels.short_sequence import nearest_first, short_sequence
 from covey.kernels.types import Floats, Pursuit, Table
 from covey.kernels.worst import least_value
 
@@ -59,7 +60,12 @@ def worth(
     set_paths(evaders, turns[:n], pursuit.speed, scratch.here.paths)
     if aim.expected:
         return expected_value(scratch.here.paths, n, pursuit, aim, scratch.here.times[0])
-    bound = nearest_first(scratch.here.paths, n, pursuit, aim.total)
+    times = scratch.here.times[0]
+    if aim.total:
+        nearest_first(scratch.here.paths, n, pursuit, -1, scratch.found, times)
+    else:
+        short_sequence(scratch.here.paths, n, pursuit, scratch.found, times)
+    bound = measured(times, n, aim.total)
     if bound <= enough:
         return -math.inf
     value, _ = least_value(

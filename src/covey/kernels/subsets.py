@@ -18,6 +18,7 @@ from covey.kernels.deadlines import set_deadlines
 from covey.kernels.interception import capture_in_turn, earliest_capture
 from covey.kernels.lines import captures_on_lines, make_lines, padded, set_lines
 from covey.kernels.path import TURN_END, position
+from covey.kernels.short_sequence import short_sequence
 from covey.kernels.types import Floats, Ints, Pursuit, Table
 
 MOST_EVADERS = 18
@@ -68,7 +69,7 @@ def least_time(
     ahead, deadlines = scratch.ahead, scratch.deadlines
     full = (1 << n) - 1
     if bound == math.inf:
-        bound = nearest_first(paths, n, pursuit, False) * (1.0 + _SLACK) + _LEAST
+        bound = short_sequence(paths, n, pursuit, sequence, arrivals) * (1.0 + _SLACK) + _LEAST
     set_lines(paths, n, scratch.lines)
     set_deadlines(paths, scratch.lines, n, pursuit, bound, deadlines)
     x, y = pursuit.center_x, pursuit.center_y
@@ -127,24 +128,6 @@ def least_time(
         for i in range(n):
             labels[queue[k] * n + i] = math.inf
     return best, interceptions
-
-
-@compiled
-def nearest_first(paths: Table, n: int, pursuit: Pursuit, total: bool) -> float:
-    """Last capture, or sum, of the sequence in which whoever can be captured soonest is next."""
-    x, y, radius, time, caught = pursuit.center_x, pursuit.center_y, pursuit.first_radius, 0.0, 0
-    spent = 0.0
-    for _ in range(n):
-        nearest, soonest = 0, math.inf
-        for i in range(n):
-            if not caught >> i & 1:
-                arrival = earliest_capture(paths, i, x, y, radius, time, pursuit.speed)
-                if arrival < soonest:
-                    nearest, soonest = i, arrival
-        time, caught, radius = soonest, caught | 1 << nearest, pursuit.later_radius
-        x, y = position(paths, nearest, time)
-        spent += time
-    return spent if total else time
 
 
 @compiled
