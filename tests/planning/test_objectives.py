@@ -239,3 +239,15 @@ def test_the_best_order_is_another_for_the_sum():
     assert total.sequence == min(by_hand, key=lambda order: by_hand[order].sum()) == (1, 2, 0)
     assert last.time == pytest.approx(by_hand[last.sequence][-1], rel=1e-14)
     assert total.time == pytest.approx(by_hand[total.sequence].sum(), rel=1e-14)
+
+
+@pytest.mark.parametrize("objective", OBJECTIVES, ids=str)
+@pytest.mark.parametrize("count", [1, 2])
+def test_straight_into_the_pursuer_is_left(objective, count):
+    """There no gradient is left, but it is a minimum."""
+    team = covey.Team([(0.3, 0.0), (-0.4, 0.0)][:count], [0.0, math.pi][:count], 0.25, math.inf)
+    disk = covey.PursuerDisk()
+    stuck = covey.plan(
+        team, disk, objective=objective, starts=1, warm_start=np.full(count, math.pi)
+    )
+    assert stuck.value == pytest.approx(covey.plan(team, disk, objective=objective).value, rel=1e-6)

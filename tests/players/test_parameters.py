@@ -37,15 +37,21 @@ BAD = [
     ),
     (
         lambda: covey.KnownSequence([1, 1]),
-        "KnownSequence: expected each evader 0..N-1 once, got [1, 1]",
+        "KnownSequence: expected each evader 0..1 once, got [1, 1]",
     ),
     (
         lambda: covey.FixedSequence([0, 0]),
-        "FixedSequence: expected each evader 0..N-1 once, got [0, 0]",
+        "FixedSequence: expected each evader 0..1 once, got [0, 0]",
     ),
     (
         lambda: covey.FixedSequence([1, 2]),
-        "FixedSequence: expected each evader 0..N-1 once, got [1, 2]",
+        "FixedSequence: expected each evader 0..1 once, got [1, 2]",
+    ),
+    (lambda: covey.FixedSequence(5), "FixedSequence: expected a list, got 5"),
+    (lambda: covey.FixedSequence([]), "FixedSequence: expected each evader once, got nobody"),
+    (
+        lambda: covey.FixedSequence([0.7, 1.2]),
+        "FixedSequence: expected each evader 0..1 once, got [0.7, 1.2]",
     ),
     (
         lambda: covey.RandomSequence([(0, 0)]),

@@ -172,6 +172,47 @@ def test_a_committed_pursuer_makes_small_what_the_game_is_about():
         assert total.objective == {"name": "total-survival"}
 
 
+def test_an_objective_that_does_not_fit_is_refused_before_anybody_flies():
+    team, disk = random_game(np.random.default_rng(0), 3)
+    asked = []
+
+    def plan(situation):
+        asked.append(situation)
+        return np.zeros(len(situation.evaders))
+
+    with pytest.raises(covey.InputError, match="sequences of all 3 evaders"):
+        covey.simulate(team, disk, evaders=plan, objective=covey.ExpectedSurvival([(0, 1)]))
+    assert asked == []
+
+
+def test_a_plan_that_was_not_flown_is_not_trusted():
+    """A strategy that puts its own turns in place of those it was given plans on all the same."""
+    generator = np.random.default_rng(2)
+    for objective in (covey.LastCapture(), TOTAL):
+        team, disk = random_game(generator, 4)
+        plan = covey.IterativeOpenLoop(4, 0).start(1)
+        gains = []
+
+        def disturbed(situation, plan=plan, gains=gains, objective=objective):
+            planned = np.array(plan(situation))
+            off = situation.turns if len(gains) else planned
+            worth = [
+                covey.guaranteed_survival(
+                    situation.team, situation.disk, turns, objective=objective
+                ).time
+                for turns in (planned, off)
+            ]
+            gains.append(worth[0] - worth[1])
+            return np.clip(planned + generator.normal(0.0, 0.5, len(planned)), -math.pi, math.pi)
+
+        covey.simulate(
+            team, disk, evaders=disturbed, objective=objective, update_time=0.05, time_limit=2.0
+        )
+        assert len(gains) > 20
+        assert min(gains) > -1e-9  # never worse than what is flown, and mostly better
+        assert np.mean(np.array(gains) > 1e-6) > 0.5
+
+
 def test_a_stopped_game_has_no_value_yet():
     team, disk = random_game(np.random.default_rng(0), 2)
     game = covey.simulate(team, disk, objective=TOTAL, time_limit=0.01)

@@ -90,6 +90,7 @@ def test_all_mistakes_of_a_file_are_told_at_once(tmp_path):
             {"objective": covey.ExpectedSurvival([(0, 1)])},
             "objective.0.: ExpectedSurvival: expected sequences of all 5 evaders",
         ),
+        ({"pursuer": covey.RandomSequence([(0, 1)])}, "pursuer.0.: RandomSequence: expected"),
         ({"objective": covey.TotalSurvival}, "objective: expected LastCapture"),
         ({"objective": "expected-survival", "team_size": [2, 9]}, "are too many"),
         ({"turn_rate": "pi/0"}, "turn_rate: expected a turn rate >= 0"),

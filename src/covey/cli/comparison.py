@@ -14,6 +14,9 @@ from covey.studies import load_study
 from covey.studies.comparison import comparison
 from covey.studies.scores import Comparison, Score
 
+_WIDEST = 36
+"""Letters of a name in one line."""
+
 
 def print_comparison(console: Console, compared: Comparison) -> None:
     """Print the means over the team sizes, relative to the first of the kind."""
@@ -36,7 +39,7 @@ def _table(title: str, rows: str, chosen: list[Score]) -> Table:
     table = Table(
         title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False, padding=(0, 0, 0, 0)
     )
-    table.add_column(rows, no_wrap=True)
+    table.add_column(rows, max_width=_WIDEST, overflow="fold")
     for column in columns:
         table.add_column(column.replace("-", " "), justify="right")
     for row in dict.fromkeys(score.row for score in chosen):
@@ -68,4 +71,8 @@ def draw_comparison(folder: Path, output: Path) -> None:
         for each in compared.scores
         if each.team_size is not None and each.row != compared.base and each.starts > 1
     ]
+    if not ratios:
+        raise InputError(
+            f"{folder}: expected games from at least two starts that came to their end"
+        )
     print_saved(views.save(views.draw_comparison(ratios, compared.label), output))

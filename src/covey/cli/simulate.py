@@ -27,8 +27,9 @@ def simulate(
     """Play a game, and print how long the team survived and who was captured when.
 
     The team survives until its last evader is captured. In open loop, iterative or not, that is
-    never less than its first plan guarantees. The record is one table, a row for every update, that
-    `covey draw`, Python and any reader of Parquet files understand.
+    never less than its first plan guarantees, nor is the sum where the game is about that. The
+    record is one table, a row for every update, that `covey draw`, Python and any reader of Parquet
+    files understand.
 
     Try:
 

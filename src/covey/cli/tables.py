@@ -11,6 +11,7 @@ from rich.console import Console
 from rich.table import Table
 
 from covey.cli.report import captures
+from covey.model import ExpectedSurvival
 from covey.planning import Bracket, Plan
 from covey.players import WorstCase
 from covey.scenarios import Scenario
@@ -30,7 +31,7 @@ def print_plan(scenario: Scenario, plan: Plan, bracket: Bracket | None) -> None:
     facts = [
         *_objective(plan.objective.describe(), number(plan.value), ""),
         ("guaranteed survival time", number(plan.survival_time)),
-        *_sequences(plan.critical_sequences),
+        *_sequences(plan),
         ("search", f"{plan.status} ({plan.starts} starts, {plan.steps} steps)"),
     ]
     console.print(_facts(facts))
@@ -75,16 +76,16 @@ def print_worst_case(worst: WorstCase) -> None:
 
 def outcome(game: Game) -> list[tuple[str, str]]:
     """Return the facts of a game, by their names."""
-    survived = number(game.survival_time)
+    survived, promised = number(game.survival_time), game.objective["name"] == "last-capture"
     if math.isinf(game.survival_time):
         survived = f"more than {number(float(game.times[-1]))}: {game.status}"
-    elif game.guarantee > 0.0 and game.objective["name"] == "last-capture":
+    elif game.guarantee > 0.0 and promised:
         survived += f"  ({game.survival_time / game.guarantee:.3g} times the guarantee)"
     return [
         ("pursuer", f"{game.sensing}, {_strategy(game, 'pursuer')}"),
         ("evaders", f"{len(game.team)}, {_strategy(game, 'evaders')}"),
         *_objective(game.objective, number(game.planned_value), number(game.value)),
-        ("guaranteed survival time", number(game.guarantee)),
+        *([("guaranteed survival time", number(game.guarantee))] if promised else []),
         ("survival time", survived),
     ]
 
@@ -135,11 +136,13 @@ def points(places: Sequence[Sequence[float]]) -> list[str]:
     return [f"({x:>{widths[0]}}, {y:>{widths[1]}})" for x, y in zip(*columns, strict=True)]
 
 
-def _sequences(sequences: tuple[tuple[int, ...], ...]) -> list[tuple[str, str]]:
+def _sequences(plan: Plan) -> list[tuple[str, str]]:
+    sequences = plan.critical_sequences
+    name = "sequences" if isinstance(plan.objective, ExpectedSurvival) else "critical sequences"
     shown = [" ".join(map(str, sequence)) for sequence in sequences[:_MOST_SEQUENCES]]
     if len(sequences) > _MOST_SEQUENCES:
         shown.append(f"and {len(sequences) - _MOST_SEQUENCES} more")
-    return [("" if k else "critical sequences", text) for k, text in enumerate(shown)]
+    return [("" if k else name, text) for k, text in enumerate(shown)]
 
 
 def _strategy(game: Game, side: str) -> str:

@@ -42,9 +42,11 @@ CONVERGED, STALLED, STEPS_USED_UP = range(3)
 LEAST_BOX = 1e-9
 """An ascent ends when it may change turns by no more."""
 
-_STRIDE = 0.03  # radians, off a saddle
+STRIDE = 0.03
+"""How far from a saddle the way off it is tried, radians."""
+
 _MOST_CORRECTIONS = 3
-_ROUNDING = 1e-12
+_ROUNDING, _REFUTED = 1e-12, 1e-9
 _DISAPPOINTING = 0.4  # share of the promise below which a step is corrected
 
 
@@ -104,11 +106,12 @@ def ascend(
     The value, the least over all sequences of the last capture or of the `total`, never falls below
     that of the turns given. `box` is the largest first change of a turn; the ascent has converged
     when the model promises less than `tolerance`, relative. The turns are `known` to be worth so
-    much at least (-inf: nothing is known); where a column says that they aren't worth more, the
-    worst sequence needn't be searched. Nor need it be where a step leads to turns that are worth
-    more than the columns before it. A step whose promise came true to `tolerance` is the last: what
-    the next would gain is less than what the model was wrong by. A straightened model, which may be
-    too stiff, is trusted so far only where something is known.
+    much at least (-inf: nothing is known), unless a column refutes it, as where the last plan was
+    not flown. Where a column says that they aren't worth more, the worst sequence needn't be
+    searched. Nor need it be where a step leads to turns that are worth more than the columns before
+    it. A step whose promise came true to `tolerance` is the last: what the next would gain is less
+    than what the model was wrong by. A straightened model, which may be too stiff, is trusted so
+    far only where something is known.
     """
     n = len(turns)
     here, there = scratch.here, scratch.there
@@ -116,6 +119,8 @@ def ascend(
     value = evaluate(here, n, pursuit, total, columns)
     programmes = interceptions = steps = 0
     ended = STEPS_USED_UP
+    if value < known * (1.0 - _REFUTED):
+        known = -math.inf
     settled = value <= known * (1.0 + _ROUNDING)
     if settled:
         value = known
@@ -343,7 +348,7 @@ def _way_off_a_saddle(
     if not direction_upwards(n, columns, here.values, unit, scratch.model):
         return -math.inf
     for i in range(n):
-        step[i] *= -_STRIDE
+        step[i] *= -STRIDE
     back = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
     for i in range(n):
         step[i] = -step[i]

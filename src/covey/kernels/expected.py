@@ -15,11 +15,12 @@ from covey.kernels.ascent import (
     LEAST_BOX,
     STALLED,
     STEPS_USED_UP,
+    STRIDE,
     AscentScratch,
     Tally,
     resized,
 )
-from covey.kernels.local_model import ModelScratch, best_step, shape, unit_of
+from covey.kernels.local_model import ModelScratch, best_step, direction_upwards, shape, unit_of
 from covey.kernels.path import set_paths
 from covey.kernels.sequence import add_curvature, capture_times, differentiate, measured
 from covey.kernels.types import Floats, Pursuit, Table
@@ -48,7 +49,7 @@ def ascend_expected(
 ) -> tuple[float, int, Tally]:
     """Improve `turns` in place to a local maximum; return its value, how it ended, the cost.
 
-    As `ascend`, which see, with one model in place of several.
+    As `ascend`, which see, with one model in place of several, and nothing known beforehand.
     """
     n, drawn = len(turns), aim.draws.used[0]
     paths, times, model = scratch.here.paths, scratch.here.times[0], scratch.model
@@ -64,27 +65,68 @@ def ascend_expected(
         scratch.here.values[0] = value
         promise = best_step(turns, n, scratch.one, scratch.here.values, box, unit, model)
         if promise - value <= tolerance * value:
-            ended = CONVERGED
-            break
+            promise = _way_off_a_saddle(evaders, n, pursuit, aim, turns, unit, scratch)
+            if promise - value <= 2.0 * tolerance * value:
+                ended = CONVERGED
+                break
         steps += 1
-        longest = 0.0
-        for i in range(n):
-            scratch.turns[i] = min(max(turns[i] + model.step[i], -math.pi), math.pi)
-            longest = max(longest, abs(scratch.turns[i] - turns[i]))
-        set_paths(evaders, scratch.turns[:n], pursuit.speed, paths)
-        trial = expected_value(paths, n, pursuit, aim, times)
+        trial = _try_step(evaders, n, pursuit, aim, turns, scratch)
         interceptions += n * drawn
         gained = (trial - value) / (promise - value)
+        longest = 0.0
+        for i in range(n):
+            longest = max(longest, abs(scratch.turns[i] - turns[i]))
         moved = gained > 0.0
         if moved:
             value = trial
             for i in range(n):
                 turns[i] = scratch.turns[i]
+            set_paths(evaders, turns, pursuit.speed, paths)
         box = resized(box, gained, longest)
         if box < LEAST_BOX:
             ended = STALLED
             break
     return value, ended, Tally(steps, 0, interceptions)
+
+
+@compiled
+def _try_step(
+    evaders: Table, n: int, pursuit: Pursuit, aim: Aim, turns: Floats, scratch: AscentScratch
+) -> float:
+    """Move `turns` by the step; return the mean there."""
+    for i in range(n):
+        scratch.turns[i] = min(max(turns[i] + scratch.model.step[i], -math.pi), math.pi)
+    set_paths(evaders, scratch.turns[:n], pursuit.speed, scratch.there.paths)
+    return expected_value(scratch.there.paths, n, pursuit, aim, scratch.there.times[0])
+
+
+@compiled
+def _way_off_a_saddle(
+    evaders: Table,
+    n: int,
+    pursuit: Pursuit,
+    aim: Aim,
+    turns: Floats,
+    unit: float,
+    scratch: AscentScratch,
+) -> float:
+    """Write the step along the direction that bends upwards most; return the mean there.
+
+    -inf if nothing bends upwards.
+    """
+    step = scratch.model.step
+    if not direction_upwards(n, scratch.one, scratch.here.values, unit, scratch.model):
+        return -math.inf
+    for i in range(n):
+        step[i] *= -STRIDE
+    back = _try_step(evaders, n, pursuit, aim, turns, scratch)
+    for i in range(n):
+        step[i] = -step[i]
+    forth = _try_step(evaders, n, pursuit, aim, turns, scratch)
+    if back > forth:
+        for i in range(n):
+            step[i] = -step[i]
+    return max(back, forth)
 
 
 @compiled

@@ -146,7 +146,7 @@ def guaranteed_survival(
     -----
     The two inner minima of eq. (6), by dynamic programming over subsets (Held and Karp, 1962)
     instead of N! sequences; memory 16 N 2^N bytes. For the sum a state needs pairs of the time and
-    the sum so far, docs/decisions/0009; memory 24 N 2^N bytes.
+    the sum so far, docs/decisions/0009; memory 40 N 2^N bytes.
     """
     check_game(team, disk)
     if isinstance(objective, ExpectedSurvival):

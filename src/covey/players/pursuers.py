@@ -28,6 +28,10 @@ class CommittedPursuer:
     margin
         Relative to the time that the sequence it follows still takes, >= 0; `inf` keeps the first
         sequence for ever, 0 changes for any gain.
+
+    Notes
+    -----
+    Where a game is about the sum of survival times, sequences are compared by that.
     """
 
     margin: float = 0.01

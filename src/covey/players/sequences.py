@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from covey.model import InputError, PursuerDisk, Team
-from covey.model.checks import Ints
+from covey.model.checks import Ints, listed, permutation
 from covey.model.objectives import checked_draws, described_draws, draws_of
 from covey.planning.announcement import best_announcement
 from covey.players.commitment import KeepsSequence
@@ -17,10 +17,10 @@ from covey.players.commitment import KeepsSequence
 
 def checked_sequence(name: str, sequence: Sequence[int]) -> tuple[int, ...]:
     """Return a sequence that holds each of 0..N-1 once; else raise InputError."""
-    order = tuple(int(i) for i in sequence)
-    if sorted(order) != list(range(len(order))):
-        raise InputError(f"{name}: expected each evader 0..N-1 once, got {list(sequence)}")
-    return order
+    order = listed(name, sequence)
+    if not order:
+        raise InputError(f"{name}: expected each evader once, got nobody")
+    return tuple(permutation(name, order, len(order)).tolist())
 
 
 def require_whole_team(name: str, sequence: tuple[int, ...], count: int) -> None:

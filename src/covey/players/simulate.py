@@ -56,15 +56,16 @@ def simulate(
         A game is stopped then. None: by when a pursuer that kept to one sequence would have
         captured everybody, whatever the team did.
     objective
-        What the team makes large and the pursuer small, where their strategies mind: `OpenLoop` and
-        `IterativeOpenLoop` (see `covey.plan`), `CommittedPursuer`, `PatientPursuer` and
-        `FlyingPursuer`. A pursuer doesn't reckon with expectations: it makes small what is
-        measured.
+        What the team makes large and the pursuer small, where their strategies mind: `OpenLoop`,
+        `IterativeOpenLoop` and `ConstantHeading` (see `covey.plan`), `CommittedPursuer`,
+        `PatientPursuer` and `FlyingPursuer`. A pursuer doesn't reckon with expectations: it makes
+        small what is measured.
 
     Returns
     -------
     Game
-        `guarantee` is the value of the first plan, `survival_time` what came of it.
+        `planned_value` is what the first plan made of the objective, `value` what came of it;
+        `guarantee` and `survival_time` for the last capture.
 
     Raises
     ------

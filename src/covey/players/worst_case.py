@@ -36,14 +36,14 @@ class WorstCaseScope(StrEnum):
 
 @dataclass(frozen=True)
 class WorstCase:
-    """The least survival time of a team's strategy against a hidden pursuer.
+    """The worst that a hidden pursuer can do to a team's strategy.
 
     Attributes
     ----------
     survival_time : float
-        Time of the last capture.
+        Time of the last capture: the least there is, where the game is about that.
     value : float
-        What the objective measures, and the pursuer makes small: the last capture or the sum.
+        The least of what the objective measures: the last capture, or the sum.
     sequence : tuple of int
         The order of capture that leads to it.
     capture_times : tuple of float
@@ -86,8 +86,9 @@ def worst_case(
 ) -> WorstCase:
     """Find the capture sequence by which a hidden pursuer ends a team's survival earliest.
 
-    What a team that doesn't see the pursuer does depends on the captures alone, so the worst case
-    is the least over a tree: who is captured first, who then, ....
+    Or by which the sum of survival times is least, where the game is about that. What a team that
+    doesn't see the pursuer does depends on the captures alone, so the worst case is the least over
+    a tree: who is captured first, who then, ....
 
     Parameters
     ----------
@@ -104,8 +105,8 @@ def worst_case(
     Returns
     -------
     WorstCase
-        The least survival time, exact over the pursuers that `scope` names; equal to that of
-        `simulate` with its sequence and delays.
+        The least value, exact over the pursuers that `scope` names; equal to that of `simulate`
+        with its sequence and delays.
 
     Raises
     ------
@@ -115,10 +116,10 @@ def worst_case(
     Notes
     -----
     Open loop and iterative open loop play each beginning of a sequence once, and a beginning whose
-    team has planned to survive longer than the least time found is dropped: neither ever falls
-    short of its plan. Any other strategy may remember anything, so it plays every
-    sequence from the start: N! games, times the delays. It must play the same game when it is
-    started anew with the same seed.
+    team has planned for more than the least value found is dropped: neither ever falls short of its
+    plan. A plan for an expectation promises nothing, so few beginnings are dropped. Any other
+    strategy may remember anything, so it plays every sequence from the start: N! games, times the
+    delays. It must play the same game when it is started anew with the same seed.
     """
     checked = checked_settings(team, disk, "hidden", update_time, seed, None, objective)
     settings = replace(checked, time_limit=math.inf)  # captures that wait may come after it
@@ -212,15 +213,15 @@ class _Tree:
             yield _Node(captures, state, memory, self._promised(captures, state, memory))
 
     def _promised(self, captures: tuple[Capture, ...], state: State, memory: TeamMemory) -> float:
-        """What no game that goes on from here falls below; a team that expects promises nothing."""
-        if state.alive[0] == 0:
-            return _value(captures, self._objective)
-        if memory.aim.expected:
-            return -math.inf
-        promised = promise(state, self._rules, memory.aim.total, self._scratch)
-        if memory.aim.total:
-            promised += sum(capture.time for capture in captures)
-        return promised
+        """What no game that goes on from here falls below.
+
+        The living survive until now at least; a plan for an expectation promises no more.
+        """
+        alive, total = int(state.alive[0]), memory.aim.total
+        promised = float(state.time[0]) * (alive if total else 1)
+        if alive > 0 and not memory.aim.expected:
+            promised = promise(state, self._rules, total, self._scratch)
+        return promised + (sum(capture.time for capture in captures) if total else 0.0)
 
 
 def _value(captures: tuple[Capture, ...], objective: Objective) -> float:

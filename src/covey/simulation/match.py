@@ -8,6 +8,7 @@ from covey.kernels.ascent import ascent_scratch
 from covey.kernels.game import blank_pages, more_pages, write_page
 from covey.kernels.rules import MOST_UPDATES, NOBODY, announce, flies, fly, remove
 from covey.model import PursuerDisk, Team
+from covey.planning.aims import aim_of
 from covey.simulation.assemble import assemble
 from covey.simulation.decisions import (
     checked_decision,
@@ -52,6 +53,7 @@ class Match:
         pursuer: PursuerStrategy | PursuerPolicy,
         settings: Settings,
     ) -> None:
+        aim_of(settings.objective, len(team))  # whether it fits is known before anybody flies
         self._team, self._disk, self._settings = team, disk, settings
         self._plan = policy_of("evaders", evaders, settings.seed)
         self._decide = policy_of("pursuer", pursuer, settings.seed)

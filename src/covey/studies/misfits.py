@@ -7,9 +7,10 @@ from itertools import product
 from typing import Any
 
 from covey.model import InputError
+from covey.model.objectives import draws_of
 from covey.planning.aims import aim_of, checked_objective
-from covey.players import FixedSequence, KnownSequence
-from covey.scenarios.mistakes import Mistake
+from covey.players import FixedSequence, KnownSequence, RandomSequence
+from covey.scenarios.mistakes import Mistake, Place
 from covey.studies.startfile import FromFile
 
 
@@ -37,6 +38,15 @@ def _sequences(values: Mapping[str, Any]) -> Iterator[Mistake]:
                     f"{list(strategy.sequence)}; a study of several team sizes has no common one"
                 )
                 yield Mistake((side, index, "sequence"), text)
+            if isinstance(strategy, RandomSequence) and strategy.sequences is not None:
+                yield from _draws((side, index), strategy, size)
+
+
+def _draws(place: Place, strategy: RandomSequence, size: int) -> Iterator[Mistake]:
+    try:
+        draws_of("RandomSequence", strategy.sequences, strategy.weights, size)
+    except InputError as error:
+        yield Mistake(place, str(error))
 
 
 def _objectives(values: Mapping[str, Any]) -> Iterator[Mistake]:

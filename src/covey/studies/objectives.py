@@ -37,7 +37,8 @@ def _names(given: list[dict[str, Any]]) -> list[str]:
             each.get("measure", "total" if each["name"] == "total-survival" else "last")
         ]
         expected = each["name"] == "expected-survival"
-        names.append(f"expected {measure}" if expected else measure)
+        drawn = f" of {len(each['sequences'])} sequences" if "sequences" in each else ""
+        names.append(f"expected {measure}{drawn}" if expected else measure)
     return names if len(set(names)) == len(names) else labels(given)
 
 

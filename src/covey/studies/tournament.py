@@ -1,4 +1,4 @@
-"""Every team against every pursuer: how long each survives, relative to the first team."""
+"""Every team against every pursuer: what comes of each game, relative to the first team."""
 
 from __future__ import annotations
 
@@ -21,16 +21,19 @@ def is_tournament(study: dict[str, Any]) -> bool:
 
 def tournament(result: StudyResult) -> Comparison:
     """Return the scores of a tournament: a group for each sensing, a column for each pursuer."""
-    base = labels(result.study["grid"]["evaders"])[0]
-    label = f"mean survival time, relative to {base}"
-    return Comparison("team", base, label, list(_scores(result)))
+    grid = result.study["grid"]
+    base, (objective,) = labels(grid["evaders"])[0], grid["objective"]
+    column, words = "survival_time", "mean survival time"
+    if objective["name"] != "last-capture":
+        column, words = "value", f"mean of the {objective['name']}"
+    return Comparison("team", base, f"{words}, relative to {base}", list(_scores(result, column)))
 
 
-def _scores(result: StudyResult) -> Iterator[Score]:
+def _scores(result: StudyResult, column: str) -> Iterator[Score]:
     grid = result.study["grid"]
     evaders, pursuers = labels(grid["evaders"]), labels(grid["pursuer"])
     shape = [len(grid[name]) for name in _SIDES]
-    parts = [part["survival_time"].to_numpy() for part in result.parts()]
+    parts = [part[column].to_numpy() for part in result.parts()]
     times = np.concatenate([np.empty(0), *parts]).reshape(-1, *shape)
     for (s, sensing), (p, pursuer), (e, team) in product(
         enumerate(grid["sensing"]), enumerate(pursuers), enumerate(evaders)
