@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels._jit import allocating, compiled
+from covey.kernels._jit import allocating, compiled, inlined
 from covey.kernels.deadlines import set_deadlines
 from covey.kernels.interception import capture_in_turn, earliest_capture
 from covey.kernels.lines import captures_on_lines, make_lines, padded, set_lines
@@ -32,9 +32,9 @@ _SLACK, _LEAST = 1e-12, 1e-300
 class SubsetScratch(NamedTuple):
     """Arrays of the dynamic programme for up to n evaders; sets are bit masks."""
 
-    labels: Floats  # (2**n * n,) earliest arrival by set and last captured; inf between calls
-    reached: npt.NDArray[np.bool_]  # (2**n,) whether a set has a label; False between calls
-    queue: Ints  # (2**n,) sets that have one, the smaller ones first
+    labels: Floats  # (2**n * n,) earliest arrival by place of the set and last captured
+    places: npt.NDArray[np.int32]  # (2**n,) of the sets that have a label; 0 between calls
+    queue: Ints  # (2**n,) the sets by place, the smaller ones first
     ahead: Ints  # (n,) who is not yet captured
     lines: Table
     arrivals: Floats  # (n,) when the pursuer reaches each evader from one label
@@ -45,9 +45,9 @@ class SubsetScratch(NamedTuple):
 def subset_scratch(n: int) -> SubsetScratch:
     """Allocate the scratch of `least_time`."""
     return SubsetScratch(
-        np.full(n << n, math.inf),
-        np.zeros(1 << n, np.bool_),
-        np.empty((1 << n) + 1, np.int64),
+        np.empty(n << n),
+        np.zeros(1 << n, np.int32),
+        np.empty(1 << n, np.int64),
         np.empty(n + 1, np.int64),
         make_lines(n),
         np.empty(padded(n)),
@@ -65,8 +65,8 @@ def least_time(
     `bound` and leaves `sequence` alone where no sequence beats it. A finite bound, such as the time
     of a sequence that was the worst a moment ago, makes it many times faster.
     """
-    labels, queue, arrivals = scratch.labels, scratch.queue, scratch.arrivals
-    ahead, deadlines = scratch.ahead, scratch.deadlines
+    queue, arrivals, deadlines = scratch.queue, scratch.arrivals, scratch.deadlines
+    labels, places, ahead = scratch.labels, scratch.places, scratch.ahead
     full = (1 << n) - 1
     if bound == math.inf:
         bound = short_sequence(paths, n, pursuit, sequence, arrivals) * (1.0 + _SLACK) + _LEAST
@@ -74,26 +74,24 @@ def least_time(
     set_deadlines(paths, scratch.lines, n, pursuit, bound, deadlines)
     x, y = pursuit.center_x, pursuit.center_y
     captures_on_lines(scratch.lines, n, x, y, pursuit.first_radius, 0.0, pursuit.speed, arrivals)
-    interceptions, waiting = n, 0
+    interceptions, last_place = n, 0
     for i in range(n):
         arrival = arrivals[i]
         if arrival < paths[i, TURN_END]:
             arrival = capture_in_turn(paths, i, x, y, pursuit.first_radius, 0.0, pursuit.speed)
         if arrival < bound and arrival <= deadlines[full ^ 1 << i, i]:
-            queue[waiting] = 1 << i
-            waiting += 1
-            scratch.reached[1 << i] = True
-            labels[(1 << i) * n + i] = arrival
-    done = 0
-    while done < waiting and queue[done] != full:
-        caught = queue[done]
-        done += 1
+            last_place += 1
+            _enter(1 << i, last_place, n, scratch)
+            labels[last_place * n + i] = arrival
+    place = 1
+    while place <= last_place and queue[place] != full:
+        caught = queue[place]
         count = 0
         for i in range(n):
             ahead[count] = i
             count += 1 - (caught >> i & 1)
         for last in range(n):
-            time = labels[caught * n + last]
+            time = labels[place * n + last]
             if time == math.inf:
                 continue
             x, y = position(paths, last, time)
@@ -111,39 +109,49 @@ def least_time(
                 larger = caught | 1 << i
                 if arrival >= bound or arrival > deadlines[full ^ larger, i]:
                     continue
-                labels[larger * n + i] = min(labels[larger * n + i], arrival)
-                if not scratch.reached[larger]:
-                    scratch.reached[larger] = True
-                    queue[waiting] = larger
-                    waiting += 1
+                if places[larger] == 0:
+                    last_place += 1
+                    _enter(larger, last_place, n, scratch)
+                label = places[larger] * n + i
+                labels[label] = min(labels[label], arrival)
+        place += 1
 
     best, last = bound, -1
-    for i in range(n):
-        if labels[full * n + i] < best:
-            best, last = labels[full * n + i], i
-    if last >= 0:
-        _trace_back(paths, n, pursuit, labels, last, sequence)
-    for k in range(waiting):
-        scratch.reached[queue[k]] = False
+    if places[full] > 0:
         for i in range(n):
-            labels[queue[k] * n + i] = math.inf
+            if labels[places[full] * n + i] < best:
+                best, last = labels[places[full] * n + i], i
+    if last >= 0:
+        _trace_back(paths, n, pursuit, last, sequence, scratch)
+    for k in range(1, last_place + 1):
+        places[queue[k]] = 0
     return best, interceptions
+
+
+@inlined
+def _enter(caught: int, place: int, n: int, scratch: SubsetScratch) -> None:
+    """Give a set its place, where it has no labels yet."""
+    scratch.places[caught] = place
+    scratch.queue[place] = caught
+    for i in range(n):
+        scratch.labels[place * n + i] = math.inf
 
 
 @compiled
 def _trace_back(
-    paths: Table, n: int, pursuit: Pursuit, labels: Floats, last: int, sequence: Ints
+    paths: Table, n: int, pursuit: Pursuit, last: int, sequence: Ints, scratch: SubsetScratch
 ) -> None:
     """Write the sequence whose last label is that of `last` in the full set."""
     caught = (1 << n) - 1
     sequence[n - 1] = last
     for k in range(n - 2, -1, -1):
-        target = labels[caught * n + last]
+        target = scratch.labels[scratch.places[caught] * n + last]
         caught ^= 1 << last
+        place = scratch.places[caught]
         before, least_error = -1, math.inf
         for i in range(n):
-            time = labels[caught * n + i]
-            if caught >> i & 1 and time < math.inf:
+            time = scratch.labels[place * n + i]
+            if time < math.inf:
                 x, y = position(paths, i, time)
                 arrival = earliest_capture(
                     paths, last, x, y, pursuit.later_radius, time, pursuit.speed
