@@ -9,7 +9,9 @@ from __future__ import annotations
 
 import math
 
-from covey.kernels._jit import compiled, inlined
+import numpy as np
+
+from covey.kernels._jit import allocating, compiled, inlined
 from covey.kernels.lines import latest_departures, padded
 from covey.kernels.path import START_X, START_Y, position
 from covey.kernels.types import Pursuit, Table
@@ -19,6 +21,14 @@ from covey.kernels.types import Pursuit, Table
 _SLACK = 1e-13
 
 
+def new_deadlines(n: int) -> Table:
+    """Allocate the table of deadlines of up to n evaders."""
+    return np.empty((1 << n, padded(n)))
+
+
+make_deadlines = allocating(new_deadlines)
+
+
 @compiled
 def set_deadlines(
     paths: Table,
@@ -26,12 +36,15 @@ def set_deadlines(
     n: int,
     pursuit: Pursuit,
     bound: float,
+    begin: int,
+    end: int,
     deadlines: Table,
 ) -> None:
     """Write, to row S and column j, until when j must be captured if the set S is still ahead.
 
     All captures are to happen before `bound`. A deadline is never too early; one in the middle of a
-    turn may be as late as the turn's end. -inf: it is too late for S at any time.
+    turn may be as late as the turn's end. -inf: it is too late for S at any time. The sets from
+    `begin` to `end` are served, from 0 to 2^n in all; those in them have been served before.
 
     Evaders that are skipped in a large set would each grant the pursuer 2ρ, so every flight is
     granted 2ρ times n.
@@ -42,9 +55,10 @@ def set_deadlines(
     for i in range(n):
         farthest = max(farthest, abs(paths[i, START_X]), abs(paths[i, START_Y]))
     slack = _SLACK * (bound + farthest / pursuit.speed)
-    for j in range(padded(n)):
-        deadlines[0, j] = bound + slack
-    for ahead in range(1, 1 << n):
+    if begin == 0:
+        for j in range(padded(n)):
+            deadlines[0, j] = bound + slack
+    for ahead in range(max(begin, 1), end):
         if _is_larger(ahead, largest):
             _inherit(deadlines, n, ahead, largest)
             continue

@@ -12,8 +12,8 @@ from covey.kernels.expected import expected_value
 from covey.kernels.path import PATH, set_paths
 from covey.kernels.sequence import capture_times as sequence_times
 from covey.kernels.subsets import MOST_EVADERS
+from covey.kernels.totals import least_total, total_scratch
 from covey.kernels.types import Pursuit
-from covey.kernels.worst import least_value, worst_scratch
 from covey.model import (
     ExpectedSurvival,
     InputError,
@@ -25,6 +25,7 @@ from covey.model import (
 )
 from covey.model.checks import Floats, frozen_array, permutation
 from covey.planning.aims import aim_of, checked_objective
+from covey.planning.exact_minimum import exact_minimum
 
 
 @dataclass(frozen=True)
@@ -156,17 +157,13 @@ def guaranteed_survival(
         )
     n = len(team)
     aim = aim_of(checked_objective(objective), n)
-    sequence = np.empty(n, np.int64)
-    time, _ = least_value(
-        _paths(team, disk, turns),
-        n,
-        pursuit_of(disk),
-        aim.total,
-        math.inf,
-        sequence,
-        worst_scratch(n, aim.total),
-    )
-    return Guarantee(time, tuple(sequence.tolist()))
+    paths, pursuit = _paths(team, disk, turns), pursuit_of(disk)
+    if aim.total:
+        sequence = np.empty(n, np.int64)
+        value, _ = least_total(paths, n, pursuit, math.inf, sequence, total_scratch(n))
+    else:
+        value, sequence = exact_minimum(paths, n, pursuit)
+    return Guarantee(value, tuple(sequence.tolist()))
 
 
 def expected_survival(

@@ -1,0 +1,54 @@
+"""The dynamic programme over subsets in two halves that run at the same time, layer by layer.
+
+A layer is all sets of one size. Each half has labels of its own, so a set may be in both; its label
+is the lesser one. While a layer is followed, nobody writes to it.
+"""
+
+from __future__ import annotations
+
+from covey.kernels._jit import compiled
+from covey.kernels.labels import Labels, follow, label_of
+from covey.kernels.types import Floats, Pursuit, Table
+
+
+@compiled
+def follow_half(
+    paths: Table,
+    n: int,
+    pursuit: Pursuit,
+    bound: float,
+    lines: Table,
+    deadlines: Table,
+    tables: tuple[Labels, Labels],
+    begins: tuple[int, int],
+    ends: tuple[int, int],
+    half: int,
+    times: Floats,
+) -> int:
+    """Follow every second set of a layer; return the last place in the labels of this half.
+
+    The layer is, in each of the two tables, what begins and ends there. `times` (n,) is scratch.
+    """
+    last_place = ends[half] - 1
+    for k in range(2):
+        table = tables[k]
+        for place in range(begins[k] + half, ends[k], 2):
+            caught = table.queue[place]
+            if k == 1 and tables[0].places[caught] > 0:
+                continue  # it was met in the first table
+            for i in range(n):
+                times[i] = min(label_of(caught, i, n, tables[0]), label_of(caught, i, n, tables[1]))
+            last_place, _ = follow(
+                paths,
+                n,
+                pursuit,
+                bound,
+                lines,
+                deadlines,
+                caught,
+                times,
+                0,
+                last_place,
+                tables[half],
+            )
+    return last_place
