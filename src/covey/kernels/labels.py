@@ -105,8 +105,9 @@ def follow(
             if arrival < paths[i, TURN_END]:
                 arrival = capture_in_turn(paths, i, x, y, pursuit.later_radius, time, pursuit.speed)
             larger = caught | 1 << i
-            if arrival < bound and arrival <= deadlines[full ^ larger, i]:
-                last_place = _label(larger, i, arrival, n, last_place, labels)
+            if arrival >= bound or arrival > deadlines[full ^ larger, i]:
+                continue
+            last_place = _label(larger, i, arrival, n, last_place, labels)
     return last_place, interceptions
 
 
@@ -123,9 +124,8 @@ def _label(
         labels.queue[place] = caught
         for i in range(n):
             labels.times[place * n + i] = math.inf
-        labels.times[place * n + last] = arrival
-    elif arrival < labels.times[place * n + last]:
-        labels.times[place * n + last] = arrival
+    label = place * n + last
+    labels.times[label] = min(labels.times[label], arrival)
     return last_place
 
 
