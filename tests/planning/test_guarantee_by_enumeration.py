@@ -98,7 +98,7 @@ def test_worst_order_of_three_that_stand():
     assert guarantee.sequence == (1, 0, 2)
 
 
-@pytest.mark.parametrize("count", [12, 18])
+@pytest.mark.parametrize("count", [12, 18, 20])
 def test_large_teams_that_stand_on_a_line(count):
     """With one farthest evader at 1 to the left and the others to the right, up to R: 1 + 1 + R."""
     places = np.zeros((count, 2))

@@ -12,7 +12,7 @@ import covey
 PAIR = covey.Team([(1, 0), (0, 1)], [0.0, 0.0])
 DISK = covey.PursuerDisk()
 FAST = covey.Team([(1, 0), (0, 1)], [0.0, 0.0], [0.25, 1.0])
-CROWD = covey.Team(np.ones((19, 2)), np.zeros(19))
+CROWD = covey.Team(np.ones((21, 2)), np.zeros(21))
 
 
 BAD_TURNS = {
@@ -104,12 +104,12 @@ def test_an_evader_as_fast_as_the_pursuer():
 
 
 def test_too_many_evaders_for_the_exact_minimum():
-    message = "^team: expected at most 18 evaders, got 19"
+    message = "^team: expected at most 20 evaders, got 21"
     with pytest.raises(covey.InputError, match=message):
         covey.plan(CROWD, DISK)
     with pytest.raises(covey.InputError, match=message):
-        covey.guaranteed_survival(CROWD, DISK, np.zeros(19))
+        covey.guaranteed_survival(CROWD, DISK, np.zeros(21))
 
 
 def test_one_sequence_of_many_evaders_is_no_trouble():
-    assert len(covey.capture_times(CROWD, DISK, np.zeros(19), range(19))) == 19
+    assert len(covey.capture_times(CROWD, DISK, np.zeros(21), range(21))) == 19

@@ -50,8 +50,8 @@ def test_games(strategies):
             covey.simulate(team, covey.PursuerDisk(), **strategies)
         return str(error.value)
 
-    nineteen = covey.Team(np.ones((19, 2)), np.zeros(19))
-    assert refused(nineteen).startswith("team: expected at most 18 evaders, got 19")
+    twenty_one = covey.Team(np.ones((21, 2)), np.zeros(21))
+    assert refused(twenty_one).startswith("team: expected at most 20 evaders, got 21")
     as_fast = covey.Team([(1.0, 0.0), (0.0, 1.0)], [0.0, 0.0], speeds=[0.25, 1.0])
     assert refused(as_fast) == (
         "speeds: expected every evader to be slower than the pursuer (1), got speeds[1] = 1"

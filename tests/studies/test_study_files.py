@@ -70,7 +70,7 @@ def test_all_mistakes_of_a_file_are_told_at_once(tmp_path):
         'sed: unknown key; did you mean "seed"?',
         "speed: unknown key here; it belongs to [grid]",
         'sampler.name: expected one of "square"',
-        "grid.team_size[1]: expected a whole number from 1 to 18, got 40",
+        "grid.team_size[1]: expected a whole number from 1 to 20, got 40",
         "grid.turn_rate[1]: given twice",
         "grid.sensing: expected one of",
         'grid.pursuer.margn: unknown key; did you mean "margin"?',

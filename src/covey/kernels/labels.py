@@ -112,9 +112,7 @@ def follow(
 
 
 @inlined
-def _label(
-    caught: int, last: int, arrival: float, n: int, last_place: int, labels: Labels
-) -> int:
+def _label(caught: int, last: int, arrival: float, n: int, last_place: int, labels: Labels) -> int:
     """Label a set unless it has an earlier label; return the last place."""
     place = labels.places[caught]
     if place == 0:

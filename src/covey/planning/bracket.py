@@ -46,7 +46,7 @@ def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None 
     Parameters
     ----------
     team, disk
-        The state of the game; up to 18 evaders, each slower than the pursuer.
+        The state of the game; up to 20 evaders, each slower than the pursuer.
     seed, starts
         Of the search for the plan, see `covey.plan`.
 

@@ -126,7 +126,7 @@ def guaranteed_survival(
     Parameters
     ----------
     team, disk
-        The state of the game; up to 18 evaders.
+        The state of the game; up to 20 evaders.
     turns
         (N,) signed turns δ, radians.
     objective
@@ -146,8 +146,9 @@ def guaranteed_survival(
     Notes
     -----
     The two inner minima of eq. (6), by dynamic programming over subsets (Held and Karp, 1962)
-    instead of N! sequences; memory 16 N 2^N bytes. For the sum a state needs pairs of the time and
-    the sum so far, docs/decisions/0009; memory 40 N 2^N bytes.
+    instead of N! sequences; memory 16 N 2^N bytes, from 19 evaders on, where two cores share the
+    work, 24 N 2^N bytes, 0.5 GB for 20. For the sum a state needs pairs of the time and the sum so
+    far, docs/decisions/0009; memory 24 N 2^N bytes.
     """
     check_game(team, disk)
     if isinstance(objective, ExpectedSurvival):

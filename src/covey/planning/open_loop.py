@@ -103,7 +103,7 @@ def plan(
     Parameters
     ----------
     team, disk
-        The state of the game; up to 18 evaders, each slower than the pursuer.
+        The state of the game; up to 20 evaders, each slower than the pursuer.
     objective
         What is made large: by default the last capture, guaranteed; `TotalSurvival()`, the sum of
         all survival times, guaranteed; `ExpectedSurvival(...)`, the expected value of either over a

@@ -71,7 +71,7 @@ class Study:
     trajectories
         Whether the course of every game is kept too.
     team_size
-        Evaders, 1 to 18.
+        Evaders, 1 to 20.
     speed, turn_rate
         Of every evader; "pi/2" or "90 deg" will do for a turn rate. Default: the paper's.
     pursuer_speed, disk_radius, capture_radius
