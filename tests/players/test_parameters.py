@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 import covey
@@ -78,6 +79,15 @@ def test_a_sequence_for_a_team_of_another_size(sequence, compiled):
     pursuer = covey.FixedSequence(sequence)
     with pytest.raises(covey.InputError, match="expected a sequence of all 3 evaders, got"):
         covey.simulate(team, covey.PursuerDisk(), pursuer=pursuer if compiled else pursuer.start(0))
+
+
+def test_a_fixed_sequence_that_nobody_gave_is_that_of_the_numbers():
+    for count in (2, 4):
+        team = covey.Team(
+            np.random.default_rng(count).uniform(-1.0, 1.0, (count, 2)), [0.0] * count
+        )
+        game = covey.simulate(team, covey.PursuerDisk(), pursuer=covey.FixedSequence())
+        assert game.capture_sequence.tolist() == list(range(count))
 
 
 def test_a_known_sequence_of_a_team_of_another_size():

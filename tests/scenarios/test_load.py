@@ -112,8 +112,7 @@ def test_a_scenario_plans_and_plays_what_it_says(tmp_path):
 @pytest.mark.parametrize("known", [EVADERS, PURSUERS, OBJECTIVES])
 def test_what_has_parameters_describes_itself_as_a_file_would(known):
     for name in known:
-        value = {"name": name, "sequence": [0, 1]} if name == "fixed-sequence" else name
-        strategy = make_strategy(value, known)
+        strategy = make_strategy(name, known)
         assert strategy.describe()["name"] == name
         assert make_strategy(dict(strategy.describe()), known) == strategy
 

@@ -39,7 +39,6 @@ NAMES = (
             '{ name = "committed", margin = -1 }',
             ".margin: expected a number >= 0 (inf is allowed), got -1",
         ),
-        ('"fixed-sequence"', ".sequence: missing; expected a list of evaders' numbers"),
         (
             '{ name = "fixed-sequence", sequence = [0.5] }',
             ".sequence: expected a list of evaders' numbers, got [0.5]",

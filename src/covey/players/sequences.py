@@ -38,20 +38,25 @@ class FixedSequence(KeepsSequence):
     Parameters
     ----------
     sequence
-        Each evader's number once.
+        Each evader's number once. None: 0, 1, 2 and so on, which fits teams of every size.
     """
 
-    sequence: tuple[int, ...]
+    sequence: tuple[int, ...] | None = None
 
-    def __init__(self, sequence: Sequence[int]) -> None:
-        object.__setattr__(self, "sequence", checked_sequence("FixedSequence", sequence))
+    def __init__(self, sequence: Sequence[int] | None = None) -> None:
+        if sequence is not None:
+            sequence = checked_sequence("FixedSequence", sequence)
+        object.__setattr__(self, "sequence", sequence)
 
     def describe(self) -> Mapping[str, Any]:
         """Return name and parameters, as a scenario file gives them."""
-        return {"name": "fixed-sequence", "sequence": list(self.sequence)}
+        given = {} if self.sequence is None else {"sequence": list(self.sequence)}
+        return {"name": "fixed-sequence", **given}
 
     def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:  # noqa: ARG002
         """Return the sequence given, if it is one of this team."""
+        if self.sequence is None:
+            return np.arange(len(team))
         require_whole_team("FixedSequence", self.sequence, len(team))
         return np.array(self.sequence, dtype=np.int64)
 
