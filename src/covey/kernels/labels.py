@@ -45,19 +45,22 @@ def new_labels(n: int) -> Labels:
 make_labels = allocating(new_labels)
 
 
+class SubsetScratch(NamedTuple):
+    """Arrays of the dynamic programme for up to n evaders."""
+
+    labels: Labels
+    lines: Table
+    deadlines: Table  # (2**n, n) by the set that is still ahead, and last captured
+
+
 @compiled
 def begin_labels(
-    paths: Table,
-    n: int,
-    pursuit: Pursuit,
-    bound: float,
-    lines: Table,
-    deadlines: Table,
-    labels: Labels,
+    paths: Table, n: int, pursuit: Pursuit, bound: float, scratch: SubsetScratch
 ) -> int:
     """Label the sets of one evader; return the last place."""
+    labels, deadlines = scratch.labels, scratch.deadlines
     x, y, arrivals = pursuit.center_x, pursuit.center_y, labels.arrivals
-    captures_on_lines(lines, n, x, y, pursuit.first_radius, 0.0, pursuit.speed, arrivals)
+    captures_on_lines(scratch.lines, n, x, y, pursuit.first_radius, 0.0, pursuit.speed, arrivals)
     last_place = 0
     for i in range(n):
         arrival = arrivals[i]
@@ -74,18 +77,17 @@ def follow(
     n: int,
     pursuit: Pursuit,
     bound: float,
-    lines: Table,
-    deadlines: Table,
     caught: int,
     times: Floats,
     first: int,
     last_place: int,
-    labels: Labels,
+    scratch: SubsetScratch,
 ) -> tuple[int, int]:
     """Capture another evader after each label of a set, which is in `times` from `first` on.
 
     Returns the last place, and how many interceptions were computed.
     """
+    labels, lines, deadlines = scratch.labels, scratch.lines, scratch.deadlines
     ahead, arrivals = labels.ahead, labels.arrivals
     full = (1 << n) - 1
     interceptions = count = 0

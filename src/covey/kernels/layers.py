@@ -7,7 +7,7 @@ is the lesser one. While a layer is followed, nobody writes to it.
 from __future__ import annotations
 
 from covey.kernels._jit import compiled
-from covey.kernels.labels import Labels, follow, label_of
+from covey.kernels.labels import SubsetScratch, follow, label_of
 from covey.kernels.types import Floats, Pursuit, Table
 
 
@@ -17,9 +17,7 @@ def follow_half(
     n: int,
     pursuit: Pursuit,
     bound: float,
-    lines: Table,
-    deadlines: Table,
-    tables: tuple[Labels, Labels],
+    halves: tuple[SubsetScratch, SubsetScratch],
     begins: tuple[int, int],
     ends: tuple[int, int],
     half: int,
@@ -27,28 +25,19 @@ def follow_half(
 ) -> int:
     """Follow every second set of a layer; return the last place in the labels of this half.
 
-    The layer is, in each of the two tables, what begins and ends there. `times` (n,) is scratch.
+    The layer is, in the labels of each half, what begins and ends there. `times` (n,) is scratch.
     """
+    one, other = halves[0].labels, halves[1].labels
     last_place = ends[half] - 1
     for k in range(2):
-        table = tables[k]
+        queue = halves[k].labels.queue
         for place in range(begins[k] + half, ends[k], 2):
-            caught = table.queue[place]
-            if k == 1 and tables[0].places[caught] > 0:
-                continue  # it was met in the first table
+            caught = queue[place]
+            if k == 1 and one.places[caught] > 0:
+                continue  # it was met in the first half
             for i in range(n):
-                times[i] = min(label_of(caught, i, n, tables[0]), label_of(caught, i, n, tables[1]))
+                times[i] = min(label_of(caught, i, n, one), label_of(caught, i, n, other))
             last_place, _ = follow(
-                paths,
-                n,
-                pursuit,
-                bound,
-                lines,
-                deadlines,
-                caught,
-                times,
-                0,
-                last_place,
-                tables[half],
+                paths, n, pursuit, bound, caught, times, 0, last_place, halves[half]
             )
     return last_place

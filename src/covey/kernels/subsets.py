@@ -8,11 +8,18 @@ is all that the rest of a sequence needs to know.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 from covey.kernels._jit import allocating, compiled
 from covey.kernels.deadlines import make_deadlines, set_deadlines
-from covey.kernels.labels import Labels, begin_labels, follow, forget, make_labels, trace_back
+from covey.kernels.labels import (
+    Labels,
+    SubsetScratch,
+    begin_labels,
+    follow,
+    forget,
+    make_labels,
+    trace_back,
+)
 from covey.kernels.lines import make_lines, set_lines
 from covey.kernels.short_sequence import short_sequence
 from covey.kernels.types import Ints, Pursuit, Table
@@ -22,14 +29,6 @@ MOST_EVADERS = 20
 
 # Added to the time of a sequence, they make a bound that this sequence beats.
 _SLACK, _LEAST = 1e-12, 1e-300
-
-
-class SubsetScratch(NamedTuple):
-    """Arrays of the dynamic programme for up to n evaders."""
-
-    labels: Labels
-    lines: Table
-    deadlines: Table  # (2**n, n) by the set that is still ahead, and last captured
 
 
 @allocating
@@ -48,12 +47,12 @@ def least_time(
     `bound` and leaves `sequence` alone where no sequence beats it. A finite bound, such as the time
     of a sequence that was the worst a moment ago, makes it many times faster.
     """
-    labels, lines, deadlines = scratch.labels, scratch.lines, scratch.deadlines
+    labels, lines = scratch.labels, scratch.lines
     if bound == math.inf:
         bound = first_bound(paths, n, pursuit, sequence, labels)
     set_lines(paths, n, lines)
-    set_deadlines(paths, lines, n, pursuit, bound, 0, 1 << n, deadlines)
-    last_place = begin_labels(paths, n, pursuit, bound, lines, deadlines, labels)
+    set_deadlines(paths, lines, n, pursuit, bound, 0, 1 << n, scratch.deadlines)
+    last_place = begin_labels(paths, n, pursuit, bound, scratch)
     interceptions, place = n, 1
     while place <= last_place and labels.queue[place] != (1 << n) - 1:
         last_place, cost = follow(
@@ -61,13 +60,11 @@ def least_time(
             n,
             pursuit,
             bound,
-            lines,
-            deadlines,
             labels.queue[place],
             labels.times,
             place * n,
             last_place,
-            labels,
+            scratch,
         )
         interceptions += cost
         place += 1

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from covey.kernels._jit import allocating, compiled
-from covey.kernels.subsets import SubsetScratch, least_time, subset_scratch
+from covey.kernels.labels import SubsetScratch
+from covey.kernels.subsets import least_time, subset_scratch
 from covey.kernels.totals import TotalScratch, least_total, total_scratch
 from covey.kernels.types import Ints, Pursuit, Table
 

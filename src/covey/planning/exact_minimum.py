@@ -12,10 +12,10 @@ from typing import TypeVar
 import numpy as np
 
 from covey.kernels.deadlines import new_deadlines, set_deadlines
-from covey.kernels.labels import begin_labels, new_labels, trace_back
+from covey.kernels.labels import SubsetScratch, begin_labels, new_labels, trace_back
 from covey.kernels.layers import follow_half
 from covey.kernels.lines import make_lines, set_lines
-from covey.kernels.subsets import SubsetScratch, first_bound, least_time
+from covey.kernels.subsets import first_bound, least_time
 from covey.kernels.types import Ints, Pursuit, Table
 
 LARGE = 19
@@ -52,23 +52,23 @@ def _in_halves(
 
     def follow(begins: tuple[int, int], ends: tuple[int, int], half: int) -> int:
         times = np.empty(n)
-        last_place = follow_half(
-            paths, n, pursuit, bound, lines, deadlines, tables, begins, ends, half, times
-        )
-        return last_place + 1
+        return 1 + follow_half(paths, n, pursuit, bound, halves, begins, ends, half, times)
 
     sequence = np.empty(n, np.int64)
-    tables = new_labels(n), new_labels(n)
-    lines, deadlines = make_lines(n), new_deadlines(n)
+    labels, lines, deadlines = (new_labels(n), new_labels(n)), make_lines(n), new_deadlines(n)
+    halves = (
+        SubsetScratch(labels[0], lines, deadlines),
+        SubsetScratch(labels[1], lines, deadlines),
+    )
     set_lines(paths, n, lines)
-    bound = first_bound(paths, n, pursuit, sequence, tables[0])
+    bound = first_bound(paths, n, pursuit, sequence, labels[0])
     # A set's deadlines follow from those of its subsets, so blocks that agree in how many of the
     # last evaders are still ahead don't wait for each other.
     for many in range(_BITS + 1):
         blocks = [block for block in range(1 << _BITS) if block.bit_count() == many]
         on_both_cores(partial(write_deadlines, blocks))
     begins = 1, 1
-    ends = 1 + begin_labels(paths, n, pursuit, bound, lines, deadlines, tables[0]), 1
+    ends = 1 + begin_labels(paths, n, pursuit, bound, halves[0]), 1
     for _ in range(n - 1):
         begins, ends = ends, on_both_cores(partial(follow, begins, ends))
-    return trace_back(paths, n, pursuit, bound, sequence, *tables), sequence
+    return trace_back(paths, n, pursuit, bound, sequence, *labels), sequence
