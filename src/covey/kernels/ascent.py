@@ -46,7 +46,7 @@ LEAST_BOX = 1e-9
 
 _MOST_CORRECTIONS = 3
 _ROUNDING, _REFUTED = 1e-12, 1e-9
-_DISAPPOINTING = 0.4  # share of the promise below which a step is corrected
+_DISAPPOINTING = 0.8  # share of the promise below which a step is corrected
 
 
 class AscentScratch(NamedTuple):
