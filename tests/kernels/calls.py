@@ -97,10 +97,10 @@ def derivatives(team, disk, turns, sequence, total=False):
     return gradient, np.tril(lower) + np.tril(lower, -1).T
 
 
-def factor_of(matrix):
+def factor_of(matrix, floor=0.0):
     """The Cholesky factor (N, N) of a symmetric matrix, or None if it isn't positive definite."""
     factor = np.zeros_like(matrix)
-    found = factorise(np.tril(matrix), len(matrix), factor)
+    found = factorise(np.tril(matrix), len(matrix), floor, factor)
     return with_diagonal_inverted(factor) if found else None
 
 
@@ -109,10 +109,10 @@ def with_diagonal_inverted(factor):
     return np.tril(factor, -1) + np.diag(1.0 / np.diag(factor))
 
 
-def made_positive(matrix):
+def made_positive(matrix, floor=0.0):
     """The positive definite matrix (N, N) that takes the place of a symmetric one."""
     n, lower = len(matrix), np.tril(matrix)
-    make_positive(lower, n, np.empty((n, n)), np.empty(n))
+    make_positive(lower, n, floor, np.empty((n, n)), np.empty(n))
     return np.tril(lower) + np.tril(lower, -1).T
 
 

@@ -9,8 +9,8 @@ from kernels import calls
 
 ROUNDING = 1e-13
 """Relative to the largest entry, for matrices of up to eight rows."""
-DIAGONAL = 1e-7
-"""Likewise, where the matrix is made diagonal to 1e-8 on the way."""
+DIAGONAL = 1e-11
+"""Likewise, where the matrix is made diagonal to 1e-12 on the way."""
 
 
 def random_symmetric(generator, sizes):
@@ -66,3 +66,14 @@ def test_what_is_made_positive_has_a_factor(matrix):
     assert factor is not None
     assert np.isfinite(factor).all()
     assert factor @ factor.T == pytest.approx(positive, abs=ROUNDING)
+
+
+@pytest.mark.parametrize("flat", [0.0, 1e-12, -1e-12])
+def test_no_flatter_than_the_floor(flat):
+    """What leads a step further away than it can be computed."""
+    generator = np.random.default_rng(1)
+    matrix, floor = random_symmetric(generator, [flat, 1e-9, 0.5]), 1e-4
+    assert calls.factor_of(matrix, floor) is None
+    sizes = np.linalg.eigvalsh(calls.made_positive(matrix, floor))
+    assert sizes == pytest.approx([10.0 * floor, 10.0 * floor, 0.5], rel=1e-9)
+    assert calls.factor_of(calls.made_positive(matrix, floor), floor) is not None

@@ -187,3 +187,13 @@ def by_daqp(problem):
     )
     assert ended == 1
     return np.clip(answer[:n], low, high)
+
+
+@pytest.mark.parametrize("flat", [1e-8, 1e-6])
+def test_a_flat_direction_with_a_distant_maximum(flat):
+    """The first model alone has its maximum far outside the box; the second bounds the gain."""
+    values, gradients = [0.62, 0.62 + 5e-8], np.array([[9e-5, 0.0], [0.0, 0.0]])
+    factor = np.diag(np.sqrt([flat, 0.08]))
+    least, step, _ = calls.best_step(values, gradients, factor, [0.0] * 2, [-1.0] * 2, [1.0] * 2)
+    assert least - 0.62 == pytest.approx(5e-8, abs=1e-12)
+    assert step == pytest.approx([5e-8 / 9e-5, 0.0], abs=1e-8)

@@ -43,9 +43,12 @@ def test_no_neighbour_is_better(count, options):
         plan = covey.plan(team, disk, starts=8)
         assert plan.status is covey.PlanStatus.CONVERGED
         allowed = plan.survival_time * (1.0 + RAISED_AT_MOST)
-        for turns in neighbours(plan.turns, generator):
-            inside = np.clip(turns, -math.pi, math.pi)
-            assert calls.least(team, disk, inside)[0] <= allowed
+        assert best_neighbour(team, disk, plan.turns, generator) <= allowed
+
+
+def best_neighbour(team, disk, turns, generator):
+    inside = (np.clip(each, -math.pi, math.pi) for each in neighbours(turns, generator))
+    return max(calls.least(team, disk, each)[0] for each in inside)
 
 
 def ascent(team, disk, start):
@@ -57,14 +60,20 @@ def ascent(team, disk, start):
 )
 @pytest.mark.parametrize("count", [1, 2, 3, 4])
 def test_an_ascent_that_has_converged_cannot_be_continued(count, options):
-    """Nor where a sequence of evaders that are all caught turning has neither slope nor bend."""
+    """Nor where a sequence of evaders that are all caught turning has neither slope nor bend.
+
+    From the bare turns, one ascent in ten thousand leaps to another maximum with its first step,
+    of up to 0.2 rad: it knows none of the sequences that held the plan.
+    """
     generator = np.random.default_rng([count, len(options)])
     for _ in range(600):
         team, disk = random_game(generator, count, **options)
         plan = ascent(team, disk, random_turns(generator, count))
         if plan.status is covey.PlanStatus.CONVERGED:
-            again = ascent(team, disk, plan)  # from the turns alone it may leap to another maximum
-            assert again.survival_time <= plan.survival_time * (1.0 + RAISED_AT_MOST)
+            allowed = plan.survival_time * (1.0 + RAISED_AT_MOST)
+            assert ascent(team, disk, plan).survival_time <= allowed
+            if ascent(team, disk, plan.turns).survival_time > allowed:
+                assert best_neighbour(team, disk, plan.turns, generator) <= allowed
 
 
 @pytest.mark.parametrize("seed", [3837, 9495])
@@ -74,6 +83,26 @@ def test_nor_in_two_games_where_it_once_could(seed):
     plan = ascent(team, disk, random_turns(generator, 2))
     again = ascent(team, disk, plan)
     assert again.survival_time <= plan.survival_time * (1.0 + RAISED_AT_MOST)
+
+
+@pytest.mark.parametrize(
+    ("places", "headings", "start"),
+    [
+        (
+            [(-0.2315, 0.1395), (-0.1419, 0.4784), (-0.4148, -0.1814)],
+            [-1.0067, 3.0495, 2.9859],
+            [-1.597, -1.827, 3.113],
+        ),
+        (
+            [(-0.051, 0.2421), (-0.3972, 0.1206), (0.085, -0.2576), (0.2221, -0.2926)],
+            [-0.4696, 0.5243, -0.6815, -0.215],
+            [2.297, -3.028, -1.345, 1.379],
+        ),
+    ],
+)
+def test_a_correction_that_leads_back_does_not_end_the_ascent(places, headings, start):
+    plan = ascent(covey.Team(places, headings), covey.PursuerDisk(radius=0.1), start)
+    assert plan.status is covey.PlanStatus.CONVERGED
 
 
 @pytest.mark.parametrize("count", [2, 4, 6])

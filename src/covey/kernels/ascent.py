@@ -26,12 +26,14 @@ from covey.kernels.local_model import (
     ModelScratch,
     best_step,
     corrected_step,
-    direction_upwards,
+    drifted,
     linearise,
     linearise_one,
     model_scratch,
     shape,
+    take_way,
     unit_of,
+    ways_off,
 )
 from covey.kernels.path import set_paths
 from covey.kernels.types import Floats, Ints, Pursuit, Table
@@ -42,12 +44,9 @@ CONVERGED, STALLED, STEPS_USED_UP = range(3)
 LEAST_BOX = 1e-9
 """An ascent ends when it may change turns by no more."""
 
-STRIDE = 0.03
-"""How far from a saddle the way off it is tried, radians."""
-
 _MOST_CORRECTIONS = 3
 _ROUNDING, _REFUTED = 1e-12, 1e-9
-_DISAPPOINTING = 0.4  # share of the promise below which a step is corrected
+_DISAPPOINTING = 0.8  # share of the promise below which a step is corrected
 
 
 class AscentScratch(NamedTuple):
@@ -110,8 +109,8 @@ def ascend(
     not flown. Where a column says that they aren't worth more, the worst sequence needn't be
     searched. Nor need it be where a step leads to turns that are worth more than the columns before
     it. A step whose promise came true to `tolerance` is the last: what the next would gain is less
-    than what the model was wrong by. A straightened model, which may be too stiff, is trusted so
-    far only where something is known.
+    than what the model was wrong by. One that was straightened, or has the curvature of columns
+    that the step leaves alone, may be too stiff: it is trusted only where something is known.
     """
     n = len(turns)
     here, there = scratch.here, scratch.there
@@ -129,7 +128,7 @@ def ascend(
         value, _, interceptions = _exact_value(here, n, pursuit, total, columns, value, scratch)
         programmes, exact = 1, True
     straightened, mended, unit = False, False, 1.0
-    moved = True  # gradients and curvature belong to other turns
+    moved, looked = True, False  # gradients and curvature belong to other turns, to these weights
     while steps < most_steps:
         if moved:
             unit = unit_of(value)
@@ -150,6 +149,9 @@ def ascend(
             if settled and steps == 0:  # it was no saddle when it was found
                 ended = CONVERGED
                 break
+            if not looked and drifted(columns, scratch.model):
+                looked = moved = True
+                continue
             promise = _way_off_a_saddle(
                 evaders, n, pursuit, total, turns, columns, here, unit, there, scratch
             )
@@ -186,9 +188,11 @@ def ascend(
                 turns[i] = scratch.turns[i]
             here, there = there, here
             came_true = longest < box and abs(trial - promise) <= tolerance * value
-            if came_true and not mended and not (straightened and known == -math.inf):
+            trusted = known > -math.inf or not (straightened or drifted(columns, scratch.model))
+            if came_true and trusted and not mended:
                 ended = CONVERGED
                 break
+            looked = False
         box = resized(box, gained, longest)
         if box < LEAST_BOX:
             ended = STALLED
@@ -226,8 +230,9 @@ def _step_and_correct(
     programmes = interceptions = 0
     for _ in range(_MOST_CORRECTIONS):
         if columns.used[0] > 1 and trial - value < _DISAPPOINTING * (promise - value):
+            bar = max(trial, value)
             trial = _correct(
-                evaders, n, pursuit, total, turns, columns, trial, box, unit, there, scratch
+                evaders, n, pursuit, total, turns, columns, bar, box, unit, there, scratch
             )
         if trial <= value:
             break
@@ -284,18 +289,18 @@ def _correct(
     total: bool,
     turns: Floats,
     columns: Columns,
-    trial: float,
+    bar: float,
     box: float,
     unit: float,
     there: Point,
     scratch: AscentScratch,
 ) -> float:
-    """Replace a trial that disappoints by its second-order correction, if that is better."""
+    """Replace a trial that disappoints by its second-order correction, if that is above the bar."""
     for i in range(n):
         scratch.first_turns[i] = scratch.turns[i]
     corrected_step(turns, scratch.turns, n, columns, there.values, box, unit, scratch.model)
     second = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
-    if second > trial:
+    if second > bar:
         return second
     for i in range(n):
         scratch.turns[i] = scratch.first_turns[i]
@@ -340,20 +345,15 @@ def _way_off_a_saddle(
     there: Point,
     scratch: AscentScratch,
 ) -> float:
-    """Write the step along the direction that bends upwards most; return what the columns reach.
+    """Write the step that leads highest off a saddle or a plateau; return what the columns reach.
 
-    Where no gradient is left the ascent may stand on a saddle. -inf if nothing bends upwards.
+    Where no gradient is left the ascent may stand on one. -inf if everything bends downwards.
     """
-    step = scratch.model.step
-    if not direction_upwards(n, columns, here.values, unit, scratch.model):
-        return -math.inf
-    for i in range(n):
-        step[i] *= -STRIDE
-    back = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
-    for i in range(n):
-        step[i] = -step[i]
-    forth = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
-    if back > forth:
-        for i in range(n):
-            step[i] = -step[i]
-    return max(back, forth)
+    best, highest = -1, -math.inf
+    for way in range(ways_off(n, columns, here.values, unit, scratch.model)):
+        take_way(way, n, scratch.model)
+        reached = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
+        if reached > highest:
+            best, highest = way, reached
+    take_way(best, n, scratch.model)
+    return highest

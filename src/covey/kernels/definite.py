@@ -15,19 +15,20 @@ _MOST_SWEEPS = 30
 
 
 @compiled
-def factorise(matrix: Table, n: int, factor: Table) -> bool:
+def factorise(matrix: Table, n: int, floor: float, factor: Table) -> bool:
     """Write the Cholesky factor; return whether `matrix` is positive definite beyond rounding.
 
-    Its diagonal is inverted: what solves with it then multiplies, where it would divide.
+    Its pivots must be above the `floor`. Its diagonal is inverted: what solves with it then
+    multiplies, where it would divide.
     """
-    largest = 0.0
+    least = floor
     for i in range(n):
-        largest = max(largest, abs(matrix[i, i]))
+        least = max(least, _TINY * abs(matrix[i, i]))
     for j in range(n):
         pivot = matrix[j, j]
         for k in range(j):
             pivot -= factor[j, k] * factor[j, k]
-        if not pivot > _TINY * largest:
+        if not pivot > least:
             return False
         inverse = 1.0 / math.sqrt(pivot)
         factor[j, j] = inverse
@@ -40,20 +41,20 @@ def factorise(matrix: Table, n: int, factor: Table) -> bool:
 
 
 @compiled
-def make_positive(matrix: Table, n: int, vectors: Table, sizes: Floats) -> None:
+def make_positive(matrix: Table, n: int, floor: float, vectors: Table, sizes: Floats) -> None:
     """Replace each eigenvalue by its absolute value, so that the matrix is positive definite.
 
-    One below 1e-7 of the largest is raised to that; where all are zero, to one. A Newton step then
-    climbs away from a saddle as fast as it approaches a maximum. `vectors` (n, n) and `sizes` (n)
-    are scratch.
+    One below 1e-7 of the largest, or below ten times the `floor`, is raised to that; where all are
+    zero, and the floor too, to one. A Newton step then climbs away from a saddle as fast as it
+    approaches a maximum. `vectors` (n, n) and `sizes` (n) are scratch.
     """
     diagonalise(matrix, n, vectors)
-    largest = 0.0
+    least = 10.0 * floor
     for i in range(n):
         sizes[i] = abs(matrix[i, i])
-        largest = max(largest, sizes[i])
+        least = max(least, 10.0 * _TINY * sizes[i])
     for i in range(n):
-        sizes[i] = max(sizes[i], 10.0 * _TINY * largest) if largest > 0.0 else 1.0
+        sizes[i] = max(sizes[i], least) if least > 0.0 else 1.0
     for i in range(n):
         for j in range(i + 1):
             total = 0.0
@@ -74,7 +75,7 @@ def diagonalise(matrix: Table, n: int, vectors: Table) -> None:
             diagonal += matrix[i, i] * matrix[i, i]
             for j in range(i):
                 off += matrix[i, j] * matrix[i, j]
-        if off <= 1e-16 * diagonal:
+        if off <= 1e-24 * diagonal:
             return
         for p in range(n):
             for q in range(p):

@@ -15,12 +15,18 @@ from covey.kernels.ascent import (
     LEAST_BOX,
     STALLED,
     STEPS_USED_UP,
-    STRIDE,
     AscentScratch,
     Tally,
     resized,
 )
-from covey.kernels.local_model import ModelScratch, best_step, direction_upwards, shape, unit_of
+from covey.kernels.local_model import (
+    ModelScratch,
+    best_step,
+    shape,
+    take_way,
+    unit_of,
+    ways_off,
+)
 from covey.kernels.path import set_paths
 from covey.kernels.sequence import add_curvature, capture_times, differentiate, measured
 from covey.kernels.types import Floats, Pursuit, Table
@@ -110,23 +116,18 @@ def _way_off_a_saddle(
     unit: float,
     scratch: AscentScratch,
 ) -> float:
-    """Write the step along the direction that bends upwards most; return the mean there.
+    """Write the step that leads highest off a saddle or a plateau; return the mean there.
 
-    -inf if nothing bends upwards.
+    -inf if everything bends downwards.
     """
-    step = scratch.model.step
-    if not direction_upwards(n, scratch.one, scratch.here.values, unit, scratch.model):
-        return -math.inf
-    for i in range(n):
-        step[i] *= -STRIDE
-    back = _try_step(evaders, n, pursuit, aim, turns, scratch)
-    for i in range(n):
-        step[i] = -step[i]
-    forth = _try_step(evaders, n, pursuit, aim, turns, scratch)
-    if back > forth:
-        for i in range(n):
-            step[i] = -step[i]
-    return max(back, forth)
+    best, highest = -1, -math.inf
+    for way in range(ways_off(n, scratch.one, scratch.here.values, unit, scratch.model)):
+        take_way(way, n, scratch.model)
+        reached = _try_step(evaders, n, pursuit, aim, turns, scratch)
+        if reached > highest:
+            best, highest = way, reached
+    take_way(best, n, scratch.model)
+    return highest
 
 
 @compiled

@@ -172,7 +172,8 @@ def _direction(
     for k in range(count):
         for j in range(k + 1):
             gram[k, j] = _dot(whitened[active[k]], whitened[active[j]], n)
-        kappa = max(kappa, gram[k, k])
+        if active[k] < m:
+            kappa = max(kappa, gram[k, k])
     if kappa == 0.0:
         kappa = 1.0
     for k in range(count):
