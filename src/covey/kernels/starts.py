@@ -27,6 +27,7 @@ ELITE = 3
 """How many of the best plans are varied in turn."""
 
 _SMALL = 3
+_HALF_TURN_RIGHT = 1e-9 - math.pi
 _MOST_VARIED = 3  # evaders that turn elsewhere than in the plan that is varied
 
 
@@ -144,10 +145,13 @@ def _vary(
 def _away(evaders: Table, n: int, pursuit: Pursuit, turns: Floats) -> None:
     """Write the turns, the shorter way, to flight straight away from the disk's centre.
 
-    An evader that can't turn keeps its heading here and in every start, for nothing depends on it.
+    Half turns are to the left, so that not rounding decides about them. An evader that can't turn
+    keeps its heading here and in every start, for nothing depends on it.
     """
     for i in range(n):
         off_x, off_y = evaders[i, X] - pursuit.center_x, evaders[i, Y] - pursuit.center_y
         turns[i] = 0.0
         if evaders[i, TURN_RATE] > 0.0:
             turns[i] = wrapped(math.atan2(off_y, off_x) - evaders[i, HEADING])
+            if turns[i] < _HALF_TURN_RIGHT:
+                turns[i] = math.pi
