@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from string import ascii_lowercase
+from textwrap import fill
 from typing import NamedTuple
 
 from matplotlib.axes import Axes
@@ -19,7 +20,7 @@ _STRIP = 0.27
 """Height of a strip, inches."""
 
 _LETTER = 0.058
-"""Width of a letter of its name, about, inches."""
+"""Width of a letter, about, inches."""
 
 
 class Ratio(NamedTuple):
@@ -61,7 +62,7 @@ def draw_comparison(ratios: Sequence[Ratio], label: str) -> Figure:
         for part in ("row", "column", "strip", "size")
     )
     left = _LETTER * (max(map(len, strips)) + 2)
-    bottom, gap, between, top = 0.38, 0.08, 0.5, 0.42
+    bottom, gap, between, top = 0.38, 0.08, 0.5, 0.48
     full = 2.0 * style.COLUMN_WIDTH
     width = (full - left - 0.08 - (len(columns) - 1) * gap) / len(columns)
     height = _STRIP * len(strips)
@@ -74,7 +75,8 @@ def draw_comparison(ratios: Sequence[Ratio], label: str) -> Figure:
             chosen = [ratio for ratio in ratios if (ratio.row, ratio.column) == (row, column)]
             _draw_panel(axes, chosen, strips, sizes)
             axes.set_xlim(low, high)
-            axes.set_title(column, pad=3, fontsize=style.SMALL_TEXT_SIZE)
+            title = fill(column, max(1, int(width / _LETTER)), break_long_words=False)
+            axes.set_title(title, pad=3, fontsize=style.SMALL_TEXT_SIZE)
             if j == 0:
                 axes.set_yticks(range(len(strips)), strips)
                 axes.annotate(
