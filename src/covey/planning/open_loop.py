@@ -142,6 +142,7 @@ def plan(
     dynamic programme over subsets finds the sequence that is missing (column generation). For the
     sum its states carry pairs (docs/decisions/0009); an expectation needs no search for the worst,
     and its ascents are Newton's method.
+    The programme takes 16 N 2^N bytes for each of up to four cores, for the sum 40 N 2^N.
     """
     check_game(team, disk)
     number("tolerance", tolerance, low=0.0, strictly=True)
