@@ -19,11 +19,13 @@ def plan(file: ScenarioFile, /, *, seed: Seed = None, json: Json = False) -> Non
         covey plan fig3
     """
     from covey.cli.sources import read_scenario
+    from covey.cli.waiting import waiting
     from covey.model import LastCapture
 
     scenario = read_scenario(file, seed)
-    bracket = scenario.bracket() if isinstance(scenario.objective, LastCapture) else None
-    found = scenario.plan() if bracket is None else bracket.plan
+    with waiting("planning"):
+        bracket = scenario.bracket() if isinstance(scenario.objective, LastCapture) else None
+        found = scenario.plan() if bracket is None else bracket.plan
     if json:
         from covey.cli.report import plan_as_json, print_json
 

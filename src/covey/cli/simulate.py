@@ -37,12 +37,14 @@ def simulate(
     """
     from covey.cli.outputs import check_output, print_saved
     from covey.cli.sources import read_scenario
+    from covey.cli.waiting import waiting
     from covey.simulation import save_game
 
     scenario = read_scenario(file, seed)
     if output is not None:
         check_output(output, [".parquet"], "the record of a game")
-    game = scenario.simulate()
+    with waiting("playing"):
+        game = scenario.simulate()
     if json:
         from covey.cli.report import game_as_json, print_json
 

@@ -34,8 +34,11 @@ def worst_case(
         covey worst-case fig3
     """
     from covey.cli.sources import read_scenario
+    from covey.cli.waiting import waiting
 
-    found = read_scenario(file, seed).worst_case(delays or [0.0])
+    scenario = read_scenario(file, seed)
+    with waiting("searching all orders of capture"):
+        found = scenario.worst_case(delays or [0.0])
     if json:
         from covey.cli.report import print_json, worst_case_as_json
 
