@@ -25,6 +25,10 @@ FIRST_BOX = 0.6
 WARM_BOX = 0.2
 """The same in an ascent that starts from a plan of a moment ago."""
 
+BARE_BOX = 0.02
+"""The same from turns whose sequences nobody knows: until they are met, longer steps may leap from
+a maximum to another one."""
+
 
 class SearchScratch(NamedTuple):
     """Arrays of a search for up to n evaders."""
@@ -172,8 +176,9 @@ def continue_plan(
 ) -> Found:
     """Ascend from `turns` and `columns`, which are overwritten."""
     scratch = ascent_scratch(len(turns), aim.total)
+    box = WARM_BOX if columns.used[0] > 0 else BARE_BOX
     value, ended, cost = climb(
-        evaders, pursuit, aim, turns, columns, WARM_BOX, tolerance, most_steps, -math.inf, scratch
+        evaders, pursuit, aim, turns, columns, box, tolerance, most_steps, -math.inf, scratch
     )
     return _found(evaders, pursuit, aim, value, ended, cost, turns, columns, scratch)
 
