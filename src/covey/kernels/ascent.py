@@ -22,18 +22,15 @@ from covey.kernels.columns import (
     make_columns,
     make_point,
 )
+from covey.kernels.curvature import drifted, shape, take_way, ways_off
 from covey.kernels.local_model import (
     ModelScratch,
     best_step,
     corrected_step,
-    drifted,
     linearise,
     linearise_one,
     model_scratch,
-    shape,
-    take_way,
     unit_of,
-    ways_off,
 )
 from covey.kernels.path import set_paths
 from covey.kernels.types import Floats, Ints, Pursuit, Table

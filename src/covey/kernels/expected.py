@@ -19,14 +19,8 @@ from covey.kernels.ascent import (
     Tally,
     resized,
 )
-from covey.kernels.local_model import (
-    ModelScratch,
-    best_step,
-    shape,
-    take_way,
-    unit_of,
-    ways_off,
-)
+from covey.kernels.curvature import shape, take_way, ways_off
+from covey.kernels.local_model import ModelScratch, best_step, unit_of
 from covey.kernels.path import set_paths
 from covey.kernels.sequence import add_curvature, capture_times, differentiate, measured
 from covey.kernels.types import Floats, Pursuit, Table
