@@ -1,7 +1,7 @@
 """The local model of the guaranteed time around some turns, and the step that is best for it.
 
-Each column is linear; all share the exact curvature of their Lagrangian, which `curvature` mends where it has a
-wrong sign. The step maximises the least of them inside a box.
+Each column is linear; all share the exact curvature of their Lagrangian, mended (in `curvature`)
+where it has a wrong sign. The step maximises the least of them inside a box.
 """
 
 from __future__ import annotations
