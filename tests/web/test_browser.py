@@ -103,10 +103,11 @@ def test_a_whole_game_is_played_scored_saved_and_replayed(open_page, sensing, tm
 
 def test_the_board_shows_what_the_team_plans_and_hides_it_on_demand(open_page):
     tab = open_page("?start=fig3&sensing=hidden")
+    tab.page.wait_for_timeout(500)  # until all is drawn, on a busy machine too
     _, count = colours(tab)
     planned, predicted = count(TEAM), count(CAPTURED)
     tab.page.get_by_role("switch").uncheck()
-    tab.page.wait_for_timeout(100)
+    tab.page.wait_for_timeout(500)
     _, count = colours(tab)
     assert 0 < count(TEAM) < planned - 200  # the evaders are still there, their plans are not
     assert count(CAPTURED) < predicted - 50
