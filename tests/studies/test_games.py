@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections import namedtuple
 
 import numpy as np
 import pytest
 
 import covey
-from covey.studies import AsVisible, run_study
+from covey.studies import AsVisible, Study, run_study
 from covey.studies.games import play_start
+from covey.studies.study import Case
 from covey.studies.summary import summary
 from studies.small import small_study
 
@@ -63,6 +65,21 @@ def test_hidden_as_visible_captures_in_the_order_of_the_visible_game(sensing):
             assert (outcome.capture_sequence == seen.capture_sequence).all()
         if "visible" in games:
             assert games["visible"].survival_time == seen.survival_time
+
+
+def test_hidden_as_visible_meets_its_own_visible_game_wherever_the_fields_of_a_case_stand(
+    monkeypatch,
+):
+    def survival_times():
+        study = small_study(pursuer=AsVisible(), speed=[0.25, 0.6], team_size=3)
+        games = (game for number in range(8) for game in play_start(study, number))
+        return [game.outcome.survival_time for game in games]
+
+    expected = survival_times()
+    cases = small_study(pursuer=AsVisible(), speed=[0.25, 0.6], team_size=3).cases
+    moved = namedtuple("Moved", [*(f for f in Case._fields if f != "speed"), "speed"])
+    monkeypatch.setattr(Study, "cases", tuple(moved(**case._asdict()) for case in cases))
+    assert survival_times() == expected
 
 
 def test_nobody_dies_before_the_guarantee():

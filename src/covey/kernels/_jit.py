@@ -71,15 +71,14 @@ class _Announcer(event.Listener):  # type: ignore[misc] # numba's types are skip
         """Nothing to say: the answer that was waited for follows."""
 
 
-def _forget_stale_cache() -> None:
-    """Remove compiled kernels that are older than any source of this room.
+def forget_stale_cache(room: Path) -> None:
+    """Remove compiled kernels that are older than any source of this room or of its sub-rooms.
 
     numba looks only at the file in which a kernel stands, so a change in one that it *calls*
     would go unnoticed.
     """
-    room = Path(__file__).parent
-    newest = max(source.stat().st_mtime for source in room.glob("*.py"))
-    for index in room.glob("__pycache__/*.nbi"):
+    newest = max(source.stat().st_mtime for source in room.rglob("*.py"))
+    for index in room.rglob("__pycache__/*.nbi"):
         try:
             if index.stat().st_mtime < newest:
                 index.unlink()
@@ -87,5 +86,5 @@ def _forget_stale_cache() -> None:
             continue
 
 
-_forget_stale_cache()
+forget_stale_cache(Path(__file__).parent)
 event.register("numba:compile", _Announcer())

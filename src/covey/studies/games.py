@@ -60,8 +60,7 @@ def _play(
 ) -> tuple[Outcome, Game | None]:
     if not isinstance(case.pursuer, AsVisible):
         return _play_as(case, start, recorded)
-    # Strategies may not be hashable; they live as long as the study, so who they are will do.
-    key = (*case[:7], case.objective, id(case.evaders), id(case.pursuer))
+    key = _without_sensing(case)
     seen = case._replace(sensing="visible", pursuer=case.pursuer.visible())
     if case.sensing == "visible":
         outcome, record = _play_as(seen, start, recorded)
@@ -71,6 +70,16 @@ def _play(
         visible[key], _ = _play_as(seen, start, False)
     pursuer = case.pursuer.hidden(visible[key], case.team_size)
     return _play_as(case._replace(pursuer=pursuer), start, recorded)
+
+
+def _without_sensing(case: Case) -> tuple[Any, ...]:
+    """Return what a case shares with those that differ from it in sensing only.
+
+    Strategies may not be hashable; they live as long as the study, so who they are will do.
+    """
+    values = case._asdict() | {"evaders": id(case.evaders), "pursuer": id(case.pursuer)}
+    del values["sensing"]
+    return tuple(values.values())
 
 
 def _play_as(case: Case, start: Start, recorded: bool) -> tuple[Outcome, Game | None]:

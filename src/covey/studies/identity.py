@@ -10,7 +10,8 @@ from importlib.metadata import version
 from pathlib import Path
 
 _LIBRARIES = ("numba", "llvmlite", "numpy", "pyarrow")
-_ROOMS = ("kernels", "model", "planning", "simulation", "players", "studies")
+_PACKAGE = Path(__file__).parent.parent
+_ROOMS = ("kernels", "model", "planning", "simulation", "players", "scenarios", "studies")
 
 
 @cache
@@ -20,11 +21,15 @@ def code_digest() -> str:
     A version number alone would not do: between two releases the code changes, and a study must
     not be finished by other code than began it.
     """
-    package = Path(__file__).parent.parent
+    return digest_of(_PACKAGE)
+
+
+def digest_of(package: Path) -> str:
+    """Return a digest of the sources, in rooms and their sub-rooms, that a game depends on."""
     digest = hashlib.sha256()
     for room in _ROOMS:
-        for source in sorted((package / room).glob("*.py")):
-            digest.update(source.name.encode())
+        for source in sorted((package / room).rglob("*.py")):
+            digest.update(source.relative_to(package).as_posix().encode())
             digest.update(source.read_bytes())
     return digest.hexdigest()
 
