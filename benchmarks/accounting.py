@@ -14,8 +14,8 @@ import numba
 import numpy as np
 
 import covey
-from covey.kernels.interception import earliest_capture
-from covey.kernels.path import PATH, position, set_paths
+from covey.kernels.capture.interception import earliest_capture
+from covey.kernels.capture.path import PATH, position, set_paths
 from covey.planning.guarantee import pursuit_of
 from interpreted import Watch
 from moments import moments

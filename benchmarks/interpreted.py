@@ -14,7 +14,7 @@ from types import FunctionType
 from numba.core.registry import CPUDispatcher
 from numba.typed import List
 
-from covey.kernels.labels import SubsetScratch
+from covey.kernels.minimum.labels import SubsetScratch
 from stopwatch import seconds_of_all, seconds_of_one
 
 _one, _all = cache(seconds_of_one), cache(seconds_of_all)

@@ -8,14 +8,14 @@ from typing import NamedTuple
 import numpy as np
 
 import covey
-from covey.kernels.columns import Columns
-from covey.kernels.replanning import replan
-from covey.kernels.rules import NOBODY, Rules, announce, fly, initial_state, pursuit_from
-from covey.kernels.search import search_scratch
-from covey.planning.aims import aim_of
+from covey.kernels.maximum.multistart import search_scratch
+from covey.kernels.maximum.working_set import Columns
+from covey.kernels.play.replanning import replan
+from covey.kernels.play.rules import NOBODY, Rules, announce, fly, initial_state, pursuit_from
+from covey.planning.compiled_objective import aim_of
 from covey.planning.multistart import MOST_STEPS
 from covey.planning.open_loop import columns_of, start_noise
-from covey.players.evaders import REPLAN_TOLERANCE
+from covey.players.teams.open_loop import REPLAN_TOLERANCE
 
 UPDATE_TIME = 0.01
 

@@ -14,14 +14,14 @@ import numba
 import numpy as np
 
 import covey
-from covey.kernels.columns import copy_columns, make_columns
-from covey.kernels.replanning import replan
-from covey.kernels.search import search, search_scratch
-from covey.planning.aims import aim_of
+from covey.kernels.maximum.multistart import search, search_scratch
+from covey.kernels.maximum.working_set import copy_columns, make_columns
+from covey.kernels.play.replanning import replan
+from covey.planning.compiled_objective import aim_of
 from covey.planning.guarantee import pursuit_of
 from covey.planning.multistart import MOST_STEPS
 from covey.planning.open_loop import DEFAULT_TOLERANCE, start_noise
-from covey.players.evaders import REPLAN_TOLERANCE
+from covey.players.teams.open_loop import REPLAN_TOLERANCE
 from moments import Answer
 from stopwatch import now
 

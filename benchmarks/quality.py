@@ -12,9 +12,9 @@ import time
 import numpy as np
 
 import covey
-from covey.kernels.search import search_all
-from covey.kernels.starts import BEGINNINGS, make_elite
-from covey.planning.aims import aim_of
+from covey.kernels.maximum.initial_guesses import BEGINNINGS, make_elite
+from covey.kernels.maximum.multistart import search_all
+from covey.planning.compiled_objective import aim_of
 from covey.planning.guarantee import pursuit_of
 from covey.planning.multistart import MOST_STEPS
 from covey.planning.open_loop import DEFAULT_TOLERANCE, start_noise

@@ -13,6 +13,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from covey.bounds import Bracket as Bracket
+    from covey.bounds import SequencePlan as SequencePlan
+    from covey.bounds import bracket as bracket
+    from covey.bounds import plan_for_sequence as plan_for_sequence
     from covey.model import ExpectedSurvival as ExpectedSurvival
     from covey.model import InputError as InputError
     from covey.model import LastCapture as LastCapture
@@ -20,17 +24,13 @@ if TYPE_CHECKING:
     from covey.model import Team as Team
     from covey.model import TotalSurvival as TotalSurvival
     from covey.model import turns_to as turns_to
-    from covey.planning import Bracket as Bracket
     from covey.planning import Guarantee as Guarantee
     from covey.planning import Plan as Plan
     from covey.planning import PlanStatus as PlanStatus
-    from covey.planning import SequencePlan as SequencePlan
-    from covey.planning import bracket as bracket
     from covey.planning import capture_times as capture_times
     from covey.planning import expected_survival as expected_survival
     from covey.planning import guaranteed_survival as guaranteed_survival
     from covey.planning import plan as plan
-    from covey.planning import plan_for_sequence as plan_for_sequence
     from covey.players import BestSequence as BestSequence
     from covey.players import CommittedPursuer as CommittedPursuer
     from covey.players import ConstantHeading as ConstantHeading
@@ -72,18 +72,15 @@ _ROOMS = {
         "TotalSurvival",
         "turns_to",
     ),
+    "covey.bounds": ("Bracket", "SequencePlan", "bracket", "plan_for_sequence"),
     "covey.planning": (
-        "Bracket",
         "Guarantee",
         "Plan",
         "PlanStatus",
-        "SequencePlan",
-        "bracket",
         "capture_times",
         "expected_survival",
         "guaranteed_survival",
         "plan",
-        "plan_for_sequence",
     ),
     "covey.players": (
         "BestSequence",

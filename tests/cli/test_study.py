@@ -72,7 +72,7 @@ def test_no_games_are_lost_silently(file, capsys, monkeypatch):
     def broken(study, start):
         raise ZeroDivisionError("no heading")
 
-    monkeypatch.setattr("covey.studies.work.play_start", broken)
+    monkeypatch.setattr("covey.studies.running.worker.play_start", broken)
     with pytest.raises(SystemExit, match="1"):
         main(["study", "small.toml", "--workers", "1"])
     assert "starts 0 to 15 are missing: start 0 (seed" in capsys.readouterr().err

@@ -6,7 +6,8 @@ import csv
 
 import pytest
 
-from covey.cli import main, measuring
+from covey.cli import main
+from covey.cli.show import measuring
 
 
 def test_prints_a_table_and_saves_tables_and_picture(tmp_path, monkeypatch, capsys):

@@ -8,7 +8,7 @@ from gymnasium.vector import AutoresetMode, SyncVectorEnv
 
 import covey
 from covey.envs import pursuit_v0
-from envs.scripts import towards_nearest
+from envs.scripted_players import towards_nearest
 
 COUNT, STEPS = 4, 150
 VIEWS = {

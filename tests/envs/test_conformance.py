@@ -9,7 +9,7 @@ from gymnasium.utils.env_checker import check_env
 from gymnasium.wrappers.vector import RecordEpisodeStatistics
 
 from covey.envs import pursuit_v0
-from envs.scripts import towards_nearest
+from envs.scripted_players import towards_nearest
 
 # PettingZoo's tests load an environment of its own in a way that it warns of.
 pytestmark = pytest.mark.filterwarnings("ignore:The old environment creation API")

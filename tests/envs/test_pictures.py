@@ -6,7 +6,7 @@ import numpy as np
 
 from covey.envs import pursuit_v0
 from covey.envs.picture import SIZE
-from envs.scripts import towards_nearest
+from envs.scripted_players import towards_nearest
 
 BLUE, ORANGE, DISK, WHITE = (0, 114, 178), (213, 94, 0), (252, 232, 214), (255, 255, 255)
 

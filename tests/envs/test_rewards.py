@@ -10,7 +10,7 @@ import pytest
 import covey
 from covey.envs import pursuit_v0
 from covey.envs.setup import TEAM
-from envs.scripts import play_parallel, play_single, towards_nearest
+from envs.scripted_players import play_parallel, play_single, towards_nearest
 
 
 @pytest.mark.parametrize("sensing", ["visible", "hidden"])

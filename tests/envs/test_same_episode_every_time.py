@@ -10,7 +10,7 @@ from gymnasium.utils.env_checker import data_equivalence
 
 from covey.envs import pursuit_v0
 from covey.envs.setup import TEAM
-from envs.scripts import play_parallel, play_single, towards_nearest
+from envs.scripted_players import play_parallel, play_single, towards_nearest
 
 SEEDS = range(30)
 HIDDEN = {"sensing": "hidden", "disk_radius": 0.1, "capture_radius": 0.05}

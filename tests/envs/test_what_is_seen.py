@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from covey.envs import pursuit_v0
-from envs.scripts import play_parallel, rows_of
+from envs.scripted_players import play_parallel, rows_of
 
 START = {"positions": [[0.3, 0.0], [0.0, 0.4]], "headings": [0.0, math.pi / 2]}
 TWO = {"team_size": 2, "capture_radius": 0.05, "update_time": 0.1}

@@ -12,14 +12,14 @@ import pytest
 HERE = Path(__file__).parent
 
 QUICK = (
-    "kernels/test_path.py",
-    "kernels/test_definite.py",
-    "kernels/test_derivatives.py::test_hessian",
-    "kernels/test_quadratic.py::test_models_that_all_meet_in_a_point",
-    "kernels/test_quadratic.py::test_models_twice_or_parallel",
-    "kernels/test_earliest_capture_by_hand.py",
-    "planning/test_guarantee_by_enumeration.py::test_worst_order_of_three_that_stand",
-    "planning/test_exact_minimum.py::test_a_team_that_stands_on_a_line",
+    "kernels/capture/test_path.py",
+    "kernels/linalg/test_symmetric.py",
+    "kernels/capture/test_derivatives.py::test_hessian",
+    "kernels/linalg/test_quadratic_program.py::test_models_that_all_meet_in_a_point",
+    "kernels/linalg/test_quadratic_program.py::test_models_twice_or_parallel",
+    "kernels/capture/test_earliest_capture_by_hand.py",
+    "kernels/minimum/test_guarantee_by_enumeration.py::test_worst_order_of_three_that_stand",
+    "kernels/minimum/test_exact_minimum.py::test_a_team_that_stands_on_a_line",
     "planning/test_plan_by_hand.py::test_mirrored_team",
     "planning/test_plan_by_hand.py::test_all_within_reach_at_the_start",
     "planning/test_warm_start.py::test_a_plan_that_starts_from_itself_stays",

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import covey
-from games import extent, games, random_game, random_turns, time_rounding
+from random_games import extent, games, random_game, random_turns, time_rounding
 
 SOLVED = 1e-8
 """Of the survival time, relative: a plan ends where a step promises less than 1e-9."""

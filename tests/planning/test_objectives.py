@@ -10,8 +10,8 @@ import pytest
 from scipy.optimize import minimize
 
 import covey
-from games import fleeing, random_game
-from kernels import reference
+from kernels import reference_game
+from random_games import fleeing, random_game
 
 TOTAL = covey.TotalSurvival()
 OBJECTIVES = [
@@ -30,7 +30,7 @@ def worth(team, disk, turns, objective):
 
 def sums(team, disk, turns):
     """The sum of the capture times in each of the N! sequences."""
-    orders = reference.every_sequence(len(team))
+    orders = reference_game.every_sequence(len(team))
     return np.array([covey.capture_times(team, disk, turns, order).sum() for order in orders])
 
 
@@ -91,7 +91,7 @@ def test_the_sum_is_as_large_as_a_general_optimiser_makes_it(seed):
 def test_an_expectation_is_as_large_as_a_general_optimiser_makes_it(seed, measure):
     generator = np.random.default_rng(seed)
     team, disk = random_game(generator, 3, radius=0.1)
-    orders = reference.every_sequence(3)[:4]
+    orders = reference_game.every_sequence(3)[:4]
     weights = generator.uniform(0.0, 1.0, 4)
     objective = covey.ExpectedSurvival(orders, weights, measure)
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import covey
-from games import random_game
 from kernels import calls, reference
+from random_games import random_game
 
 SOLVED = 1e-8
 """Of the survival time, relative: a plan ends where a step promises less than 1e-9."""

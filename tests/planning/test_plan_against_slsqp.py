@@ -12,8 +12,8 @@ import pytest
 from scipy.optimize import minimize
 
 import covey
-from games import random_game, random_turns
 from kernels import calls, reference
+from random_games import random_game, random_turns
 
 SLSQP_STARTS = {2: 10, 3: 16, 4: 24}
 BETTER_AT_MOST = 1e-6

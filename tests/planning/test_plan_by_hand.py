@@ -9,8 +9,8 @@ import pytest
 from scipy.optimize import brentq
 
 import covey
-from games import random_game, random_turns
-from kernels import reference
+from kernels import reference_game
+from random_games import random_game, random_turns
 
 SOLVED = 1e-8
 """Of the survival time, relative: a plan ends where a step promises less than 1e-9."""
@@ -59,7 +59,10 @@ def test_one_evader_turns_until_it_flies_straight_away_from_where_the_disk_is(se
 
         def swerve(size, side=side):
             turns = [side * size]
-            end = reference.place(team, turns, 0, reference.turn_end(team, turns, 0)) - disk.center
+            end = (
+                reference_game.place(team, turns, 0, reference_game.turn_end(team, turns, 0))
+                - disk.center
+            )
             return math.sin(team.headings[0] + turns[0] - math.atan2(end[1], end[0]))
 
         grid = np.linspace(0.0, math.pi, 400)
@@ -70,7 +73,7 @@ def test_one_evader_turns_until_it_flies_straight_away_from_where_the_disk_is(se
             if s != t
         ]
         for size in [*sizes, 0.0, math.pi]:
-            value = reference.sequence_times(team, disk, [side * size], [0])[0]
+            value = reference_game.sequence_times(team, disk, [side * size], [0])[0]
             best = max(best, value)
     plan = covey.plan(team, disk)
     assert_valid(plan, team, disk)

@@ -9,9 +9,9 @@ import pytest
 from scipy.optimize import nnls
 
 import covey
-from games import random_game, random_turns
-from kernels import calls
-from planning.continuing import allowed, ascent, assert_cannot_be_continued
+from kernels import kernel_calls
+from planning.continued_ascents import allowed, ascent, assert_cannot_be_continued
+from random_games import random_game, random_turns
 
 STATIONARY = 1e-3
 """Time units per radian: to climb a slope of that, with a curvature of 1, gains half its square."""
@@ -43,7 +43,7 @@ def test_no_neighbour_is_better(count, options):
         assert plan.status is covey.PlanStatus.CONVERGED
         for turns in neighbours(plan.turns, generator):
             inside = np.clip(turns, -math.pi, math.pi)
-            assert calls.least(team, disk, inside)[0] <= allowed(plan)
+            assert kernel_calls.least(team, disk, inside)[0] <= allowed(plan)
 
 
 @pytest.mark.parametrize(
@@ -96,7 +96,10 @@ def test_a_critical_sequence_limits_every_plan(count):
         team, disk = random_game(generator, count)
         plan = covey.plan(team, disk, starts=4)
         gradients = np.array(
-            [calls.derivatives(team, disk, plan.turns, s)[0] for s in plan.critical_sequences]
+            [
+                kernel_calls.derivatives(team, disk, plan.turns, s)[0]
+                for s in plan.critical_sequences
+            ]
         )
         free = np.abs(plan.turns) < math.pi - 1e-12
         weights, residual = convex_combination_nearest_zero(gradients[:, free])

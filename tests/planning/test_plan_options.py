@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import covey
-from games import random_game
+from random_games import random_game
 
 
 @pytest.fixture

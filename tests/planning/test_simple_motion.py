@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 
 import covey
-from games import games, random_game, random_turns, time_rounding
+from random_games import games, random_game, random_turns, time_rounding
 
 
 def constant_heading_times(team, disk, headings):

@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import covey
-from games import games, random_game, random_turns
-from kernels import reference
+from kernels import reference_game
+from random_games import games, random_game, random_turns
 
 _extreme_turns = st.sampled_from([-math.pi, -math.pi / 2, 0.0, math.pi / 2, math.pi])
 
@@ -73,7 +73,7 @@ def test_the_rest_of_a_plan_is_worth_what_is_left_of_it(seed):
     elapsed = 0.5 * first
     left = np.sign(plan.turns) * np.maximum(np.abs(plan.turns) - elapsed * team.turn_rates, 0.0)
     later = covey.Team(
-        [reference.place(team, plan.turns, i, elapsed) for i in range(4)],
+        [reference_game.place(team, plan.turns, i, elapsed) for i in range(4)],
         team.headings + plan.turns - left,
     )
     grown = covey.PursuerDisk(disk.center, elapsed)

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import covey
-from games import extent, games
+from random_games import extent, games
 
 TEAMS = [
     covey.IterativeOpenLoop(starts=1, restarts=1),

@@ -10,7 +10,7 @@ import pytest
 
 import covey
 from covey.players import DelayedSequence, WorstCaseScope
-from games import fleeing, random_game
+from random_games import fleeing, random_game
 
 
 def hold_course(situation):

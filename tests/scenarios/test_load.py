@@ -10,7 +10,7 @@ import pytest
 import covey
 from covey.scenarios import load_scenario
 from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, make_strategy
-from scenarios.files import ONE_EVADER, loaded
+from scenarios.scenario_files import ONE_EVADER, loaded
 
 
 def test_one_position_is_a_scenario(tmp_path):

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 import covey
 from covey.scenarios import load_scenario
 from covey.scenarios.load import checked
-from scenarios.files import ONE_EVADER, mistakes
+from scenarios.scenario_files import ONE_EVADER, mistakes
 
 NO_EVADERS = (
     "team.evaders: expected 1 to 20 evaders, got none; add a [[team.evaders]] table with a "

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from scenarios.files import ONE_EVADER, mistakes
+from scenarios.scenario_files import ONE_EVADER, mistakes
 
 NAMES = (
     '"committed", "flying", "patient", "fixed-sequence", "best-sequence", "random-sequence", '

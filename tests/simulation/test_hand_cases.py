@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import covey
-from games import fleeing
+from random_games import fleeing
 
 ROUNDING = 1e-12
 """Of a time of about one, that is added up from a hundred intervals."""

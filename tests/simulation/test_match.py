@@ -8,11 +8,11 @@ import pytest
 import covey
 from covey.simulation import Settings
 from covey.simulation.match import Match
-from games import random_game
-from simulation import pursuers
-from simulation.compare import differences
+from random_games import random_game
+from simulation import custom_pursuers
+from simulation.same_games import differences
 
-PURSUERS = [covey.CommittedPursuer(), covey.FlyingPursuer(), pursuers.Unseen()]
+PURSUERS = [covey.CommittedPursuer(), covey.FlyingPursuer(), custom_pursuers.Unseen()]
 
 
 @pytest.mark.parametrize("sensing", ["hidden", "visible"])

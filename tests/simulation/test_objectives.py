@@ -9,19 +9,19 @@ import numpy as np
 import pytest
 
 import covey
-from games import random_game
-from simulation import pursuers
-from simulation.compare import differences
+from random_games import random_game
+from simulation import custom_pursuers
+from simulation.same_games import differences
 
 TOTAL = covey.TotalSurvival()
 OBJECTIVES = [TOTAL, covey.ExpectedSurvival(), covey.ExpectedSurvival(measure="last")]
 PURSUERS = {
     "committed": lambda seed: covey.CommittedPursuer(),
     "changes its mind for nothing": lambda seed: covey.CommittedPursuer(margin=0.0),
-    "new random order every time": pursuers.redrawing,
-    "nearest first": pursuers.nearest_first,
-    "farthest first": pursuers.farthest_first,
-    "waits": pursuers.waiting,
+    "new random order every time": custom_pursuers.redrawing,
+    "nearest first": custom_pursuers.nearest_first,
+    "farthest first": custom_pursuers.farthest_first,
+    "waits": custom_pursuers.waiting,
     "random sequence": lambda seed: covey.RandomSequence(),
 }
 

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import covey
-from games import random_game
-from simulation import pursuers
-from simulation.flight import captures, flown
+from random_games import random_game
+from simulation import custom_pursuers
+from simulation.reference_flight import captures, flown
 
 ROUNDING = 1e-9
 """Of a length or an angle, in games of about unit size."""
@@ -29,9 +29,9 @@ def games_of(sensing, radius, reach):
     """Games of every kind of player, to their end."""
     players = [
         lambda seed: covey.CommittedPursuer(),
-        pursuers.nearest_first,
-        pursuers.redrawing,
-        pursuers.roaming if sensing == "visible" else pursuers.waiting,
+        custom_pursuers.nearest_first,
+        custom_pursuers.redrawing,
+        custom_pursuers.roaming if sensing == "visible" else custom_pursuers.waiting,
     ]
     teams = [covey.IterativeOpenLoop(starts=2, restarts=2), covey.OpenLoop(starts=2)]
     for seed, (evaders, pursuer) in enumerate(itertools.product(teams, players)):

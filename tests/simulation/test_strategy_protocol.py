@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import covey
-from games import random_game
-from simulation.flight import alive, flown
+from random_games import random_game
+from simulation.reference_flight import alive, flown
 
 ROUNDING = 1e-12
 """Of an angle of about one."""

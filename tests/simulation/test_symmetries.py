@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import covey
-from games import random_game, random_turns
+from random_games import random_game, random_turns
 
 ROUNDING = 1e-6
 """Of a survival time: what is left when rounding has passed through hundreds of new plans."""

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import covey
-from games import random_game
-from simulation import pursuers
+from random_games import random_game
+from simulation import custom_pursuers
 
 BOTH = pytest.mark.parametrize("sensing", ["hidden", "visible"])
 
@@ -78,7 +78,7 @@ def test_whoever_keeps_one_order_is_done_by_the_default_limit(sensing):
             evaders=lambda situation: np.random.default_rng(0).uniform(
                 -3, 3, len(situation.evaders)
             ),
-            pursuer=pursuers.in_numerical_order(0),
+            pursuer=custom_pursuers.in_numerical_order(0),
             sensing=sensing,
             update_time=0.5,
         )

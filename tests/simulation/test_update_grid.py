@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import covey
-from games import random_game
+from random_games import random_game
 
 ROUNDING = 1e-9
 """Of a time, in games of about unit size, that is added up from hundreds of intervals."""

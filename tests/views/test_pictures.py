@@ -10,10 +10,10 @@ import pytest
 
 import covey
 from covey.views import draw_capture, draw_control, draw_game, draw_plan, style
-from covey.views.labels import label
-from covey.views.sheet import Camera, single_map
-from views.drawn import boxes, disks, labels, line, points
-from views.flown import FIRST_CAPTURE, SECOND_CAPTURE, game_by_hand, simulated, turning_evader
+from covey.views.kit.layout import Camera, single_map
+from covey.views.kit.point_labels import label
+from views.drawn_artists import boxes, disks, labels, line, points
+from views.flown_games import FIRST_CAPTURE, SECOND_CAPTURE, game_by_hand, simulated, turning_evader
 
 EVADER = covey.Team([[1.0, -2.0]], [0.4], 0.5, 2.0)
 

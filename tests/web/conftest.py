@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from web.served import serving
+from web.served_pages import serving
 
 
 @pytest.fixture(scope="module")

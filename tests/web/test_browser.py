@@ -12,8 +12,8 @@ from PIL import Image
 
 import covey
 from covey.cli import main
-from covey.web.round import UPDATE_TIME
-from web.browser import Tab, chromium
+from covey.web.human_game import UPDATE_TIME
+from web.browser_pages import Tab, chromium
 
 TEAM, CAPTURED, BOARD = (0, 114, 178), (194, 78, 0), (251, 250, 247)
 """Colours of the light page."""
@@ -264,7 +264,7 @@ def test_everything_has_a_name_for_those_who_cannot_see(open_page):
 
 
 def test_the_page_says_when_the_server_is_gone(browser):
-    from web.served import serving
+    from web.served_pages import serving
 
     with serving() as served:
         tab = Tab(browser, f"{served.address}/?evaders=1")

@@ -18,11 +18,11 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 import covey.web
 from covey.model import InputError
 from covey.web import app
+from covey.web.human_game import UPDATE_TIME
 from covey.web.origin import is_own_host, is_own_origin
-from covey.web.round import UPDATE_TIME
 from covey.web.server import listen, page_address
 from covey.web.session import Session
-from web.served import hear, say, wait_for
+from web.served_pages import hear, say, wait_for
 
 FILES = Path(covey.web.__file__).parent / "page"
 

@@ -11,11 +11,10 @@ import pytest
 
 import covey
 from covey.simulation.storage import read_game
-from covey.web import opened
-from covey.web.film import MOST_PICTURES
+from covey.web.game_json import MOST_PICTURES
 from covey.web.messages import MOST_CHARACTERS
 from covey.web.session import Session
-from web.chase import aim
+from web.chase_pages import aim
 
 
 class Page:
@@ -159,9 +158,9 @@ def test_what_is_no_record_is_refused(tmp_path, monkeypatch):
     covey.save_game(covey.simulate(team, covey.PursuerDisk()), path)
     content = path.read_bytes()
     assert "damaged" in page.error(content[: len(content) // 2])
-    monkeypatch.setattr(opened, "MOST_NUMBERS", 10)
+    monkeypatch.setattr(upload, "MOST_NUMBERS", 10)
     assert "at most 10 numbers" in page.error(content)
-    monkeypatch.setattr(opened, "MOST_BYTES", 10)
+    monkeypatch.setattr(upload, "MOST_BYTES", 10)
     assert "at most 10 bytes" in page.error(content)
 
 

@@ -8,14 +8,14 @@ from collections.abc import Sequence
 
 from cyclopts import App, CycloptsError
 
-from covey.cli.chase import chase
-from covey.cli.draw import draw
-from covey.cli.plan import plan
-from covey.cli.reproduce import reproduce
-from covey.cli.simulate import simulate
-from covey.cli.study import study
-from covey.cli.worst_case import worst_case
-from covey.cli.yardstick import yardstick
+from covey.cli.commands.chase import chase
+from covey.cli.commands.draw import draw
+from covey.cli.commands.plan import plan
+from covey.cli.commands.reproduce import reproduce
+from covey.cli.commands.simulate import simulate
+from covey.cli.commands.study import study
+from covey.cli.commands.worst_case import worst_case
+from covey.cli.commands.yardstick import yardstick
 
 INPUT_ERROR = 2
 """Exit status after a mistake in a file or on the command line."""

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.model import InputError
-from covey.model.checks import Floats, frozen_array
+from covey.model.validation import Floats, frozen_array
 
 
 def shares_of(name: str, action: npt.ArrayLike, shape: tuple[int, ...]) -> Floats:

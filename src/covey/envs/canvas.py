@@ -9,9 +9,9 @@ import numpy.typing as npt
 
 from covey.envs.episode import Episode
 from covey.envs.picture import PURSUER, SIZE, draw, load_pygame
-from covey.kernels.path import X, Y
+from covey.kernels.capture.path import X, Y
 from covey.model import InputError
-from covey.model.checks import Floats, choice
+from covey.model.validation import Floats, choice
 
 if TYPE_CHECKING:
     from pygame import Surface

@@ -6,13 +6,13 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.envs.setup import STARTS, Setup, Start
-from covey.kernels.rules import NOBODY, announce, fly, remove
-from covey.kernels.sight import DISK, ROW, observe
+from covey.kernels.play.observation import DISK, ROW, observe
+from covey.kernels.play.rules import NOBODY, announce, fly, remove
 from covey.model import InputError
-from covey.model.checks import Floats, Ints
+from covey.model.validation import Floats, Ints
 from covey.planning import guaranteed_survival, plan
 from covey.simulation import PursuerStrategy, TeamStrategy
-from covey.simulation.decisions import (
+from covey.simulation.information import (
     checked_decision,
     checked_turns,
     told_to_pursuer,
@@ -42,7 +42,7 @@ class Episode:
         Survival time that the team's first plan guarantees or, where the team is given its
         decisions, that of `covey.plan`.
     state
-        Of the kernels; see `covey.kernels.rules`.
+        Of the kernels; see `covey.kernels.play.rules`.
     """
 
     def __init__(

@@ -14,10 +14,10 @@ from gymnasium.vector.utils import batch_space
 from covey.envs.episode import Seen
 from covey.envs.setup import Setup, Start
 from covey.envs.spaces import direction_space, observation_space, steering_space
-from covey.kernels.batches import observe_games
-from covey.kernels.rules import State, initial_state
+from covey.kernels.play.batches import observe_games
+from covey.kernels.play.rules import State, initial_state
 from covey.model import InputError
-from covey.model.checks import Floats, whole_number
+from covey.model.validation import Floats, whole_number
 
 Flags = npt.NDArray[np.bool_]
 

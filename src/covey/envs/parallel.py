@@ -18,7 +18,7 @@ from covey.envs.episode import Episode, Seen
 from covey.envs.setup import Setup
 from covey.envs.spaces import direction_space, observation_space, steering_space
 from covey.model import InputError
-from covey.model.checks import Floats
+from covey.model.validation import Floats
 from covey.simulation import PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStrategy
 
 PURSUER = "pursuer_0"

@@ -12,8 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.envs.episode import Episode
-from covey.kernels.path import HEADING, X, Y
-from covey.model.checks import Floats
+from covey.kernels.capture.path import HEADING, X, Y
+from covey.model.validation import Floats
 
 if TYPE_CHECKING:
     from pygame import Surface

@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels.rules import Rules, State
+from covey.kernels.play.rules import Rules, State
 from covey.model import InputError, PursuerDisk, Team
-from covey.model.checks import Floats, choice, frozen_array, number, whole_number
+from covey.model.validation import Floats, choice, frozen_array, number, whole_number
 from covey.planning.guarantee import check_game
 from covey.players import IterativeOpenLoop
 from covey.simulation import Settings

@@ -15,7 +15,7 @@ from covey.envs.episode import Episode, Seen, Velocity
 from covey.envs.setup import TEAM, Setup
 from covey.envs.spaces import direction_space, observation_space, steering_space
 from covey.model import InputError
-from covey.model.checks import Floats
+from covey.model.validation import Floats
 from covey.players import CommittedPursuer
 from covey.simulation import PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStrategy
 

@@ -8,7 +8,7 @@ import numpy as np
 from gymnasium.spaces import Box
 
 from covey.envs.setup import Setup
-from covey.kernels.sight import DISK, ROW
+from covey.kernels.play.observation import DISK, ROW
 
 
 def observation_space(setup: Setup) -> Box:

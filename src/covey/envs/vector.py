@@ -10,14 +10,14 @@ import numpy.typing as npt
 from covey.envs.actions import shares_of, velocities_of
 from covey.envs.games import Games, stacked
 from covey.envs.setup import STARTS, TEAM, Start
-from covey.kernels.ascent import ascent_scratch
-from covey.kernels.batches import fly_pursuers, fly_teams
-from covey.kernels.columns import Columns, make_columns
-from covey.kernels.policy import TeamMemory
-from covey.kernels.search import search_scratch
+from covey.kernels.maximum.multistart import search_scratch
+from covey.kernels.maximum.sqp import ascent_scratch
+from covey.kernels.maximum.working_set import Columns, make_columns
+from covey.kernels.play.batches import fly_pursuers, fly_teams
+from covey.kernels.play.policy import TeamMemory
 from covey.model import InputError, LastCapture
 from covey.planning import plan
-from covey.planning.aims import aim_of
+from covey.planning.compiled_objective import aim_of
 from covey.planning.open_loop import start_noise
 from covey.players import CommittedPursuer
 from covey.players.compiled import (
@@ -26,7 +26,7 @@ from covey.players.compiled import (
     pursuer_is_built_in,
     team_is_built_in,
 )
-from covey.players.evaders import first_memory
+from covey.players.teams.open_loop import first_memory
 
 
 class PursuerVectorEnv(Games):

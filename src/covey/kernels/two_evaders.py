@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.types import Floats, Table
+from covey.kernels.arrays import Floats, Table
 
 _FIRST_HEADINGS, _HEADINGS, _ROUNDS = 32, 4, 14
 _NARROWER = 0.4

@@ -1,8 +1,6 @@
 """What a game is: teams, the pursuer's disk, objectives, angles; frozen, checked when made."""
 
 from covey.model.angles import turns_to, wrap_angle
-from covey.model.checks import InputError
-from covey.model.disk import PursuerDisk
 from covey.model.objectives import (
     ExpectedSurvival,
     LastCapture,
@@ -10,7 +8,9 @@ from covey.model.objectives import (
     TotalSurvival,
     measured,
 )
+from covey.model.pursuer_disk import PursuerDisk
 from covey.model.team import Team
+from covey.model.validation import InputError
 
 __all__ = [
     "ExpectedSurvival",

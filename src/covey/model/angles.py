@@ -7,8 +7,8 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from covey.model.checks import Floats, frozen_array
 from covey.model.team import Team
+from covey.model.validation import Floats, frozen_array
 
 
 def wrap_angle(angle: npt.ArrayLike) -> Floats:

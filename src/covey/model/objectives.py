@@ -11,7 +11,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from covey.model.checks import Floats, InputError, Ints, choice, listed, number, permutation
+from covey.model.validation import Floats, InputError, Ints, choice, listed, number, permutation
 
 MEASURES = ("last", "total")
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from covey.model.checks import Floats, InputError, frozen_array, frozen_rates
+from covey.model.validation import Floats, InputError, frozen_array, frozen_rates
 
 
 @dataclass(frozen=True, eq=False)

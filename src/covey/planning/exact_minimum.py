@@ -11,12 +11,12 @@ from typing import TypeVar
 
 import numpy as np
 
-from covey.kernels.deadlines import new_deadlines, set_deadlines
-from covey.kernels.labels import SubsetScratch, begin_labels, new_labels, trace_back
-from covey.kernels.layers import follow_half
-from covey.kernels.lines import make_lines, set_lines
-from covey.kernels.subsets import first_bound, least_time
-from covey.kernels.types import Ints, Pursuit, Table
+from covey.kernels.arrays import Ints, Pursuit, Table
+from covey.kernels.capture.straight_legs import make_lines, set_lines
+from covey.kernels.minimum.deadlines import new_deadlines, set_deadlines
+from covey.kernels.minimum.labels import SubsetScratch, begin_labels, new_labels, trace_back
+from covey.kernels.minimum.last_capture import first_bound, least_time
+from covey.kernels.minimum.layers import follow_half
 
 LARGE = 19
 """Evaders from which on two cores are faster than one."""

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels.expected import expected_value
-from covey.kernels.path import PATH, set_paths
-from covey.kernels.sequence import capture_times as sequence_times
-from covey.kernels.subsets import MOST_EVADERS
-from covey.kernels.totals import least_total, total_scratch
-from covey.kernels.types import Pursuit
+from covey.kernels.arrays import Pursuit
+from covey.kernels.capture.path import PATH, set_paths
+from covey.kernels.capture.sequence import capture_times as sequence_times
+from covey.kernels.maximum.expected_value import expected_value
+from covey.kernels.minimum.last_capture import MOST_EVADERS
+from covey.kernels.minimum.total_time import least_total, total_scratch
 from covey.model import (
     ExpectedSurvival,
     InputError,
@@ -23,8 +23,8 @@ from covey.model import (
     Team,
     TotalSurvival,
 )
-from covey.model.checks import Floats, frozen_array, permutation
-from covey.planning.aims import aim_of, checked_objective
+from covey.model.validation import Floats, frozen_array, permutation
+from covey.planning.compiled_objective import aim_of, checked_objective
 from covey.planning.exact_minimum import exact_minimum
 
 

@@ -6,19 +6,19 @@ import os
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-from covey.kernels.aim import Aim
-from covey.kernels.ascent import STEPS_USED_UP
-from covey.kernels.columns import Columns
-from covey.kernels.search import (
+from covey.kernels.maximum.initial_guesses import BATCH, enter, make_elite
+from covey.kernels.maximum.multistart import (
     Found,
     continue_plan,
     follow_one,
     is_better,
     search_all,
 )
-from covey.kernels.starts import BATCH, enter, make_elite
+from covey.kernels.maximum.objective import Aim
+from covey.kernels.maximum.sqp import STEPS_USED_UP
+from covey.kernels.maximum.working_set import Columns
 from covey.model import PursuerDisk, Team
-from covey.model.checks import Floats
+from covey.model.validation import Floats
 from covey.planning.guarantee import pursuit_of
 
 MOST_STEPS = 200

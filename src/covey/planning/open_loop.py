@@ -10,13 +10,13 @@ from enum import StrEnum
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels.ascent import CONVERGED, STALLED, STEPS_USED_UP
-from covey.kernels.columns import Columns, make_columns
-from covey.kernels.starts import CANDIDATES
+from covey.kernels.maximum.initial_guesses import CANDIDATES
+from covey.kernels.maximum.sqp import CONVERGED, STALLED, STEPS_USED_UP
+from covey.kernels.maximum.working_set import Columns, make_columns
 from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, PursuerDisk, Team
 from covey.model.angles import wrap_angle
-from covey.model.checks import Floats, frozen_array, number, whole_number
-from covey.planning.aims import aim_of, checked_objective
+from covey.model.validation import Floats, frozen_array, number, whole_number
+from covey.planning.compiled_objective import aim_of, checked_objective
 from covey.planning.guarantee import check_game, guaranteed_survival
 from covey.planning.multistart import Multistart
 

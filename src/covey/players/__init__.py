@@ -1,18 +1,18 @@
 """Strategies that come with the package, and `simulate`, which plays them."""
 
-from covey.players.constant_heading import ConstantHeading
-from covey.players.delayed import DelayedSequence
-from covey.players.evaders import IterativeOpenLoop, OpenLoop
-from covey.players.headings import HoldCourse, StraightAway
-from covey.players.known_sequence import KnownSequence
-from covey.players.largest_distance import LargestDistance
-from covey.players.nearest_first import NearestFirst
 from covey.players.outcome import Outcome, survival
-from covey.players.pursuers import CommittedPursuer, FlyingPursuer, PatientPursuer
-from covey.players.sequences import BestSequence, FixedSequence, RandomSequence
+from covey.players.pursuers.committed import CommittedPursuer, FlyingPursuer, PatientPursuer
+from covey.players.pursuers.delayed import DelayedSequence
+from covey.players.pursuers.downhill import DownhillPursuer
+from covey.players.pursuers.fixed_order import BestSequence, FixedSequence, RandomSequence
+from covey.players.pursuers.nearest_first import NearestFirst
 from covey.players.simulate import simulate
-from covey.players.smallest_danger import SmallestDanger
-from covey.players.two_evaders import DownhillPursuer
+from covey.players.teams.constant_heading import ConstantHeading
+from covey.players.teams.known_sequence import KnownSequence
+from covey.players.teams.largest_distance import LargestDistance
+from covey.players.teams.open_loop import IterativeOpenLoop, OpenLoop
+from covey.players.teams.simple import HoldCourse, StraightAway
+from covey.players.teams.smallest_danger import SmallestDanger
 from covey.players.worst_case import WorstCase, WorstCaseScope, worst_case
 
 __all__ = [

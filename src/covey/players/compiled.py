@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import NamedTuple, TypeGuard
 
-from covey.kernels import game
-from covey.kernels.search import search_scratch
+from covey.kernels.maximum.multistart import search_scratch
+from covey.kernels.play import game
 from covey.model import LastCapture, Objective, PursuerDisk, Team
-from covey.model.checks import Floats, Ints
+from covey.model.validation import Floats, Ints
 from covey.planning import Plan, plan
 from covey.planning.guarantee import check_game, longest_game
-from covey.players.evaders import IterativeOpenLoop, OpenLoop, first_memory
-from covey.players.pursuers import CommittedPursuer, PatientPursuer
-from covey.players.sequences import BestSequence, FixedSequence, RandomSequence
+from covey.players.pursuers.committed import CommittedPursuer, PatientPursuer
+from covey.players.pursuers.fixed_order import BestSequence, FixedSequence, RandomSequence
+from covey.players.teams.open_loop import IterativeOpenLoop, OpenLoop, first_memory
 from covey.simulation import Settings
 from covey.simulation.settings import first_state
 

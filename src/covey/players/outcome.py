@@ -6,15 +6,15 @@ import math
 from typing import NamedTuple
 
 from covey.model import LastCapture, Objective, PursuerDisk, Team, measured
-from covey.model.checks import Floats, Ints
+from covey.model.validation import Floats, Ints
 from covey.players.compiled import (
     checked_settings,
     play_compiled,
     pursuer_is_built_in,
     team_is_built_in,
 )
-from covey.players.evaders import IterativeOpenLoop
-from covey.players.pursuers import CommittedPursuer
+from covey.players.pursuers.committed import CommittedPursuer
+from covey.players.teams.open_loop import IterativeOpenLoop
 from covey.simulation import (
     Game,
     PursuerPolicy,

@@ -11,8 +11,8 @@ from covey.players.compiled import (
     pursuer_is_built_in,
     team_is_built_in,
 )
-from covey.players.evaders import IterativeOpenLoop
-from covey.players.pursuers import CommittedPursuer
+from covey.players.pursuers.committed import CommittedPursuer
+from covey.players.teams.open_loop import IterativeOpenLoop
 from covey.simulation import (
     Game,
     PursuerPolicy,
@@ -21,7 +21,7 @@ from covey.simulation import (
     TeamStrategy,
     play,
 )
-from covey.simulation.assemble import assemble
+from covey.simulation.build_record import assemble
 
 
 def simulate(

@@ -10,16 +10,16 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import NamedTuple
 
-from covey.kernels.policy import TeamMemory
-from covey.kernels.rules import State
-from covey.kernels.search import search_scratch
-from covey.kernels.to_capture import play_to_capture, promise
+from covey.kernels.maximum.multistart import search_scratch
+from covey.kernels.play.policy import TeamMemory
+from covey.kernels.play.rules import State
+from covey.kernels.play.to_capture import play_to_capture, promise
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team, measured
-from covey.model.checks import number
+from covey.model.validation import number
 from covey.planning import plan
 from covey.players.compiled import BuiltInTeam, checked_settings, team_is_built_in
-from covey.players.delayed import DelayedSequence
-from covey.players.evaders import IterativeOpenLoop, first_memory
+from covey.players.pursuers.delayed import DelayedSequence
+from covey.players.teams.open_loop import IterativeOpenLoop, first_memory
 from covey.simulation import Settings, TeamPolicy, TeamStrategy, play
 from covey.simulation.settings import first_state
 

@@ -10,9 +10,9 @@ from typing import Any
 from pydantic import ValidationError
 
 from covey.model import InputError
-from covey.model.checks import whole_number
+from covey.model.validation import whole_number
 from covey.scenarios.build import build
-from covey.scenarios.crosschecks import crosschecks
+from covey.scenarios.consistency import crosschecks
 from covey.scenarios.mistakes import Mistake, mistakes_of, require_none
 from covey.scenarios.scenario import Scenario
 from covey.scenarios.schema import ScenarioFile

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from covey.bounds import Bracket, bracket
 from covey.model import LastCapture, Objective, PursuerDisk, Team
-from covey.planning import Bracket, Plan, bracket, plan
+from covey.planning import Plan, plan
 from covey.players import IterativeOpenLoop, OpenLoop, WorstCase, simulate, worst_case
 from covey.simulation import Game, PursuerStrategy, TeamStrategy
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from covey.kernels.ascent import ascent_scratch
-from covey.kernels.game import blank_pages, more_pages, write_page
-from covey.kernels.rules import MOST_UPDATES, NOBODY, announce, flies, fly, remove
+from covey.kernels.maximum.sqp import ascent_scratch
+from covey.kernels.play.game import blank_pages, more_pages, write_page
+from covey.kernels.play.rules import MOST_UPDATES, NOBODY, announce, flies, fly, remove
 from covey.model import PursuerDisk, Team
-from covey.planning.aims import aim_of
-from covey.simulation.assemble import assemble
-from covey.simulation.decisions import (
+from covey.planning.compiled_objective import aim_of
+from covey.simulation.build_record import assemble
+from covey.simulation.information import (
     checked_decision,
     checked_turns,
     told_to_pursuer,

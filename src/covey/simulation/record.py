@@ -8,7 +8,7 @@ from enum import StrEnum
 from typing import Any
 
 from covey.model import PursuerDisk, Team
-from covey.model.checks import Floats, Ints
+from covey.model.validation import Floats, Ints
 
 
 class GameStatus(StrEnum):

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from covey.kernels.rules import Rules, State, initial_state
+from covey.kernels.play.rules import Rules, State, initial_state
 from covey.model import LastCapture, Objective, PursuerDisk, Team
-from covey.model.checks import Floats, choice, number, whole_number
-from covey.planning.aims import checked_objective
+from covey.model.validation import Floats, choice, number, whole_number
+from covey.planning.compiled_objective import checked_objective
 
 SENSING = ("hidden", "visible")
 

@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team
-from covey.model.checks import Floats, frozen_array
+from covey.model.validation import Floats, frozen_array
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,14 +3,14 @@
 Tables go to a folder, part by part, so nothing is lost when a run is stopped.
 """
 
-from covey.scenarios.starts import Disk, Formation, Square
-from covey.studies.repeated import AsVisible
-from covey.studies.results import StudyResult, load_study
-from covey.studies.run import run_study
-from covey.studies.startfile import FromFile
-from covey.studies.study import Study
-from covey.studies.studyfile import example_names, example_path, read_study
-from covey.studies.summary import Line, summary
+from covey.scenarios.samplers import Disk, Formation, Square
+from covey.studies.analysis.summary import Line, summary
+from covey.studies.design.as_visible import AsVisible
+from covey.studies.design.start_table import FromFile
+from covey.studies.design.study import Study
+from covey.studies.design.study_file import example_names, example_path, read_study
+from covey.studies.running.results import StudyResult, load_study
+from covey.studies.running.run import run_study
 
 __all__ = [
     "AsVisible",

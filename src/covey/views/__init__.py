@@ -9,17 +9,17 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from covey.views.animation import animate
-    from covey.views.capture import draw_capture
-    from covey.views.closeness import draw_closeness
-    from covey.views.comparison import draw_comparison
-    from covey.views.control import draw_control
-    from covey.views.curves import draw_gains
-    from covey.views.game import draw_game
-    from covey.views.histogram import draw_ratios
-    from covey.views.plan import draw_plan
-    from covey.views.saving import save
-    from covey.views.snapshots import draw_snapshots
+    from covey.views.charts.capture import draw_capture
+    from covey.views.charts.closeness import draw_closeness
+    from covey.views.charts.comparison import draw_comparison
+    from covey.views.charts.control import draw_control
+    from covey.views.charts.gains import draw_gains
+    from covey.views.charts.ratios import draw_ratios
+    from covey.views.film.animation import animate
+    from covey.views.games.game import draw_game
+    from covey.views.games.plan import draw_plan
+    from covey.views.games.snapshots import draw_snapshots
+    from covey.views.kit.saving import save
 
 __all__ = [
     "animate",
@@ -36,17 +36,17 @@ __all__ = [
 ]
 
 _HOMES = {
-    "animate": "animation",
-    "draw_capture": "capture",
-    "draw_closeness": "closeness",
-    "draw_comparison": "comparison",
-    "draw_control": "control",
-    "draw_gains": "curves",
-    "draw_game": "game",
-    "draw_plan": "plan",
-    "draw_ratios": "histogram",
-    "draw_snapshots": "snapshots",
-    "save": "saving",
+    "animate": "film.animation",
+    "draw_capture": "charts.capture",
+    "draw_closeness": "charts.closeness",
+    "draw_comparison": "charts.comparison",
+    "draw_control": "charts.control",
+    "draw_gains": "charts.gains",
+    "draw_game": "games.game",
+    "draw_plan": "games.plan",
+    "draw_ratios": "charts.ratios",
+    "draw_snapshots": "games.snapshots",
+    "save": "kit.saving",
 }
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from covey.model import PursuerDisk, Team
-from covey.model.checks import Floats
+from covey.model.validation import Floats
 from covey.players import (
     ConstantHeading,
     IterativeOpenLoop,
@@ -19,7 +19,7 @@ from covey.players import (
     StraightAway,
 )
 from covey.scenarios import example_path, load_scenario
-from covey.scenarios.starts import Formation, Sampler, Square
+from covey.scenarios.samplers import Formation, Sampler, Square
 from covey.simulation import TeamStrategy
 
 _PACE = 0.05

@@ -8,7 +8,7 @@ import time
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from covey.web.budget import Budget
+from covey.web.rate_limit import Budget
 from covey.web.session import Reply, Session, error_reply
 
 _FRAME = 1.0 / 60.0

@@ -14,8 +14,8 @@ import uvicorn
 
 from covey.model import InputError
 from covey.web.app import make_app
-from covey.web.opened import MOST_BYTES
 from covey.web.session import Session
+from covey.web.upload import MOST_BYTES
 
 _GRACE = 1
 """Seconds that open pages get to close when the server ends."""

@@ -10,10 +10,10 @@ from covey.model import InputError
 from covey.simulation import Game
 from covey.simulation.storage import write_game
 from covey.web.clock import Clock
-from covey.web.film import cast, film, picture
+from covey.web.game_json import cast, film, picture
+from covey.web.human_game import TIME_LIMIT, UPDATE_TIME, Round
 from covey.web.messages import Film, New, Pause, Run, Save, Steer, Step, read_message
-from covey.web.opened import opened_film
-from covey.web.round import TIME_LIMIT, UPDATE_TIME, Round
+from covey.web.upload import opened_film
 
 STEP_UPDATES = 10
 """Of a step by hand: enough to be seen."""

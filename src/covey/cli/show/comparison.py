@@ -1,0 +1,78 @@
+"""Scores of a study on the screen, a table for each of their groups; and their picture."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.table import Table
+
+from covey.cli.shared.outputs import check_output, print_saved
+from covey.model import InputError
+from covey.studies import load_study
+from covey.studies.analysis.comparison import comparison
+from covey.studies.analysis.scores import Comparison, Score
+
+_WIDEST = 36
+"""Letters of a name in one line."""
+
+
+def print_comparison(console: Console, compared: Comparison) -> None:
+    """Print the means over the team sizes, relative to the first of the kind."""
+    overall = [score for score in compared.scores if score.team_size is None]
+    for group in dict.fromkeys(score.group for score in overall):
+        chosen = [score for score in overall if score.group == group]
+        console.print(_table(group, compared.rows, chosen))
+    sizes = dict.fromkeys(str(score.team_size) for score in compared.scores if score.team_size)
+    console.print(
+        f"{compared.label[0].upper()}{compared.label[1:]}, from the same {overall[0].played} "
+        f"starts, ± 95 % confidence; mean over teams of {', '.join(sizes)}."
+    )
+    if any(score.starts < score.played for score in overall):
+        console.print("* Without the starts of which a game was stopped with evaders alive.")
+
+
+def _table(title: str, rows: str, chosen: list[Score]) -> Table:
+    columns = list(dict.fromkeys(score.column for score in chosen))
+    cells = {(score.row, score.column): _cell(score) for score in chosen}
+    table = Table(
+        title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False, padding=(0, 0, 0, 0)
+    )
+    table.add_column(rows, max_width=_WIDEST, overflow="fold")
+    for column in columns:
+        table.add_column(column.replace("-", " "), justify="right")
+    for row in dict.fromkeys(score.row for score in chosen):
+        table.add_row(row, *(cells[row, column] for column in columns))
+    return table
+
+
+def _cell(score: Score) -> str:
+    value, error = score.relative
+    text = f"{value:.3f}" if error == 0.0 else f"{value:.3f} ±{error:.3f}".replace("±0", "±")
+    return text + ("*" if score.starts < score.played else "")
+
+
+def draw_comparison(folder: Path, output: Path) -> None:
+    """Draw the picture of the scores of a study whose results are in a folder."""
+    from covey import views
+    from covey.views.charts.comparison import Ratio
+    from covey.views.kit.saving import STILLS
+
+    check_output(output, STILLS, "a picture")
+    compared = comparison(load_study(folder))
+    if compared is None:
+        raise InputError(
+            f"{folder}: expected a study of several teams, or several objectives, in which beside "
+            "them only team sizes, pursuers and sensing vary; there is no picture of any other"
+        )
+    ratios = [
+        Ratio(each.group, each.column, each.row, each.team_size, *each.relative)
+        for each in compared.scores
+        if each.team_size is not None and each.row != compared.base and each.starts > 1
+    ]
+    if not ratios:
+        raise InputError(
+            f"{folder}: expected games from at least two starts that came to their end"
+        )
+    print_saved(views.save(views.draw_comparison(ratios, compared.label), output))

@@ -1,0 +1,171 @@
+"""What a person sees of a plan or a game: a few lines and a table."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.table import Table
+
+from covey.bounds import Bracket
+from covey.cli.show.json_output import captures
+from covey.model import ExpectedSurvival
+from covey.planning import Plan
+from covey.players import WorstCase
+from covey.scenarios import Scenario
+from covey.simulation import Game
+
+_MOST_SEQUENCES = 6
+
+
+def print_plan(scenario: Scenario, plan: Plan, bracket: Bracket | None) -> None:
+    """Print what a plan is worth, what bounds it if that is known, and where each evader heads."""
+    console = _console()
+    if bracket is not None:
+        console.print(
+            f"survives at least {number(bracket.lower)}; "
+            f"no team could be sure of more than {number(bracket.upper)}"
+        )
+    facts = [
+        *_objective(plan.objective.describe(), number(plan.value), ""),
+        ("guaranteed survival time", number(plan.survival_time)),
+        *_sequences(plan),
+        ("search", f"{plan.status} ({plan.starts} starts, {plan.steps} steps)"),
+    ]
+    console.print(_facts(facts))
+    table = _table("evader", "position", "turn (rad)", "(°)", "goal heading (rad)", "(°)")
+    for i, position in enumerate(points(scenario.team.positions.tolist())):
+        table.add_row(
+            str(i),
+            position,
+            *angle(float(plan.turns[i])),
+            *angle(float(plan.goal_headings[i])),
+        )
+    console.print(table)
+
+
+def print_game(game: Game) -> None:
+    """Print what was guaranteed, how long the team survived, and its captures."""
+    console = _console()
+    console.print(_facts(outcome(game)))
+    console.print(capture_table(game))
+
+
+def print_worst_case(worst: WorstCase) -> None:
+    """Print the least survival time, what it was taken over, and the captures that lead to it."""
+    console, least = _console(), ("least survival time", number(worst.value))
+    if worst.value != worst.survival_time:
+        least = ("least sum of survival times", number(worst.value))
+    console.print(
+        _facts(
+            [
+                least,
+                ("over", str(worst.scope)),
+                ("played", f"{worst.flights} flights from one capture to the next"),
+            ]
+        )
+    )
+    table = _table("capture", "evader", "time", "waited")
+    rows = zip(worst.sequence, aligned(worst.capture_times, 6), worst.delays, strict=True)
+    for k, (evader, time, delay) in enumerate(rows, start=1):
+        table.add_row(str(k), str(evader), time, number(delay))
+    console.print(table)
+
+
+def outcome(game: Game) -> list[tuple[str, str]]:
+    """Return the facts of a game, by their names."""
+    survived, promised = number(game.survival_time), game.objective["name"] == "last-capture"
+    if math.isinf(game.survival_time):
+        survived = f"more than {number(float(game.times[-1]))}: {game.status}"
+    elif game.guarantee > 0.0 and promised:
+        survived += f"  ({game.survival_time / game.guarantee:.3g} times the guarantee)"
+    return [
+        ("pursuer", f"{game.sensing}, {_strategy(game, 'pursuer')}"),
+        ("evaders", f"{len(game.team)}, {_strategy(game, 'evaders')}"),
+        *_objective(game.objective, number(game.planned_value), number(game.value)),
+        *([("guaranteed survival time", number(game.guarantee))] if promised else []),
+        ("survival time", survived),
+    ]
+
+
+def _objective(objective: Mapping[str, Any], planned: str, value: str) -> list[tuple[str, str]]:
+    """Return what a plan made of an objective, and a game, unless it is the last capture."""
+    if objective["name"] == "last-capture":
+        return []
+    expected = objective["name"] == "expected-survival"
+    words = "last capture" if objective.get("measure") == "last" else "sum of survival times"
+    facts = [(f"{'expected' if expected else 'guaranteed'} {words}", planned)]
+    return [*facts, (words, value)] if value else facts
+
+
+def capture_table(game: Game) -> Table:
+    """Return the captures in their order: who, when, where."""
+    table = _table("capture", "evader", "time", "place")
+    caught = captures(game)
+    times = aligned([capture.time for capture in caught], 6)
+    places = points([capture.place for capture in caught])
+    for k, (capture, time, place) in enumerate(zip(caught, times, places, strict=True), start=1):
+        table.add_row(str(k), str(capture.evader), time, place)
+    return table
+
+
+def number(value: float) -> str:
+    """Write a number as a person reads it; `--json` has all digits."""
+    return f"{value:.6g}"
+
+
+def angle(radians: float) -> tuple[str, str]:
+    """Write an angle in radians and in degrees."""
+    return f"{radians:+.4f}", f"{math.degrees(radians):+.1f}"
+
+
+def aligned(values: Sequence[float], digits: int) -> list[str]:
+    """Write numbers with the same decimals, which give the largest one `digits` digits."""
+    largest = max((abs(value) for value in values), default=0.0)
+    before_point = math.floor(math.log10(largest)) + 1 if largest > 0.0 else 1
+    decimals = max(0, digits - before_point)
+    return [f"{value:.{decimals}f}" for value in values]
+
+
+def points(places: Sequence[Sequence[float]]) -> list[str]:
+    """Write points, x under x and y under y."""
+    columns = [aligned([place[axis] for place in places], 4) for axis in (0, 1)]
+    widths = [max((len(text) for text in column), default=0) for column in columns]
+    return [f"({x:>{widths[0]}}, {y:>{widths[1]}})" for x, y in zip(*columns, strict=True)]
+
+
+def _sequences(plan: Plan) -> list[tuple[str, str]]:
+    sequences = plan.critical_sequences
+    name = "sequences" if isinstance(plan.objective, ExpectedSurvival) else "critical sequences"
+    shown = [" ".join(map(str, sequence)) for sequence in sequences[:_MOST_SEQUENCES]]
+    if len(sequences) > _MOST_SEQUENCES:
+        shown.append(f"and {len(sequences) - _MOST_SEQUENCES} more")
+    return [("" if k else name, text) for k, text in enumerate(shown)]
+
+
+def _strategy(game: Game, side: str) -> str:
+    strategy = dict(game.strategies[side])
+    name = str(strategy.pop("name"))
+    parameters = ", ".join(f"{key} {value}" for key, value in strategy.items())
+    return f"{name} ({parameters})" if parameters else name
+
+
+def _facts(facts: Iterable[tuple[str, str]]) -> Table:
+    table = Table.grid(padding=(0, 2))
+    for name, value in facts:
+        table.add_row(name, value)
+    return table
+
+
+def _table(*columns: str) -> Table:
+    table = Table(box=SIMPLE_HEAD, pad_edge=False)
+    for column in columns:
+        table.add_column(column, justify="right", no_wrap=True)
+    return table
+
+
+def _console() -> Console:
+    return Console(highlight=False)

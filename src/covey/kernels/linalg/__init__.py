@@ -1,0 +1,1 @@
+"""Linear algebra of a few variables; it knows of no game."""

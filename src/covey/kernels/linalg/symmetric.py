@@ -1,0 +1,109 @@
+"""Symmetric matrices: the Cholesky factor where there is one, and the nearest thing where not.
+
+Matrices are given and returned in their lower triangles.
+"""
+
+from __future__ import annotations
+
+import math
+
+from covey.kernels._jit import compiled
+from covey.kernels.arrays import Floats, Table
+
+_TINY = 1e-8
+_MOST_SWEEPS = 30
+
+
+@compiled
+def factorise(matrix: Table, n: int, floor: float, factor: Table) -> bool:
+    """Write the Cholesky factor; return whether `matrix` is positive definite beyond rounding.
+
+    Its pivots must be above the `floor`. Its diagonal is inverted: what solves with it then
+    multiplies, where it would divide.
+    """
+    least = floor
+    for i in range(n):
+        least = max(least, _TINY * abs(matrix[i, i]))
+    for j in range(n):
+        pivot = matrix[j, j]
+        for k in range(j):
+            pivot -= factor[j, k] * factor[j, k]
+        if not pivot > least:
+            return False
+        inverse = 1.0 / math.sqrt(pivot)
+        factor[j, j] = inverse
+        for i in range(j + 1, n):
+            entry = matrix[i, j]
+            for k in range(j):
+                entry -= factor[i, k] * factor[j, k]
+            factor[i, j] = entry * inverse
+    return True
+
+
+@compiled
+def make_positive(matrix: Table, n: int, floor: float, vectors: Table, sizes: Floats) -> None:
+    """Replace each eigenvalue by its absolute value, so that the matrix is positive definite.
+
+    One below 1e-7 of the largest, or below ten times the `floor`, is raised to that; where all are
+    zero, and the floor too, to one. A Newton step then climbs away from a saddle as fast as it
+    approaches a maximum. `vectors` (n, n) and `sizes` (n) are scratch.
+    """
+    diagonalise(matrix, n, vectors)
+    least = 10.0 * floor
+    for i in range(n):
+        sizes[i] = abs(matrix[i, i])
+        least = max(least, 10.0 * _TINY * sizes[i])
+    for i in range(n):
+        sizes[i] = max(sizes[i], least) if least > 0.0 else 1.0
+    for i in range(n):
+        for j in range(i + 1):
+            total = 0.0
+            for k in range(n):
+                total += sizes[k] * vectors[i, k] * vectors[j, k]
+            matrix[i, j] = total
+
+
+@compiled
+def diagonalise(matrix: Table, n: int, vectors: Table) -> None:
+    """Jacobi's method: rotate until the matrix is diagonal; `vectors` gets the eigenvectors."""
+    for i in range(n):
+        for j in range(n):
+            vectors[i, j] = 1.0 if i == j else 0.0
+    for _ in range(_MOST_SWEEPS):
+        off = diagonal = 0.0
+        for i in range(n):
+            diagonal += matrix[i, i] * matrix[i, i]
+            for j in range(i):
+                off += matrix[i, j] * matrix[i, j]
+        if off <= 1e-24 * diagonal:
+            return
+        for p in range(n):
+            for q in range(p):
+                if matrix[p, q] != 0.0:
+                    _rotate(matrix, n, vectors, p, q)
+
+
+@compiled
+def _rotate(matrix: Table, n: int, vectors: Table, p: int, q: int) -> None:
+    """Make entry (p, q), q < p, zero by a rotation in the plane of p and q."""
+    entry = matrix[p, q]
+    slope = 0.5 * (matrix[q, q] - matrix[p, p]) / entry
+    tangent = math.copysign(1.0, slope) / (abs(slope) + math.sqrt(slope * slope + 1.0))
+    cosine = 1.0 / math.sqrt(tangent * tangent + 1.0)
+    sine = tangent * cosine
+    matrix[p, p] -= tangent * entry
+    matrix[q, q] += tangent * entry
+    matrix[p, q] = 0.0
+    for k in range(q):
+        at_p, at_q = matrix[p, k], matrix[q, k]
+        matrix[p, k], matrix[q, k] = cosine * at_p - sine * at_q, cosine * at_q + sine * at_p
+    for k in range(q + 1, p):
+        at_p, at_q = matrix[p, k], matrix[k, q]
+        matrix[p, k], matrix[k, q] = cosine * at_p - sine * at_q, cosine * at_q + sine * at_p
+    for k in range(p + 1, n):
+        at_p, at_q = matrix[k, p], matrix[k, q]
+        matrix[k, p], matrix[k, q] = cosine * at_p - sine * at_q, cosine * at_q + sine * at_p
+    for k in range(n):
+        vector_p, vector_q = vectors[k, p], vectors[k, q]
+        vectors[k, p] = cosine * vector_p - sine * vector_q
+        vectors[k, q] = cosine * vector_q + sine * vector_p

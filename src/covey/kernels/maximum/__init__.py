@@ -1,0 +1,1 @@
+"""The outer half of eq. 6: the maximum over the turns."""

@@ -1,0 +1,1 @@
+"""The rules of play, and games from one decision to the next (sections IV.C and V.B)."""

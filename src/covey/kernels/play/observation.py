@@ -1,0 +1,40 @@
+"""What learners see of a game: everybody's place, from where they are, and the disk."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from covey.kernels._jit import compiled
+from covey.kernels.capture.path import EVADER, HEADING, SPEED, X, Y
+from covey.kernels.play.rules import State
+
+ROW = EVADER + 1
+"""Numbers an evader is described by: x, y, velocity x, y, turn announced, 1 while it lives."""
+
+DISK = 3
+"""Numbers behind the last evader: the disk that the team knows of, x, y, radius."""
+
+
+@compiled
+def observe(state: State, x: float, y: float, first: int, seen: npt.NDArray[np.float32]) -> None:
+    """Write what is seen from (x, y): a row for each evader, then the disk that the team knows of.
+
+    Evader number `first` comes first, the others by number; a captured one is a row of zeros.
+    """
+    n = len(state.ids)
+    for k in range(len(seen)):
+        seen[k] = 0.0
+    for row in range(state.alive[0]):
+        i = state.ids[row]
+        place = i + 1 if i < first else i
+        at = ROW * (0 if i == first else place)
+        heading, speed = state.evaders[row, HEADING], state.evaders[row, SPEED]
+        seen[at], seen[at + 1] = state.evaders[row, X] - x, state.evaders[row, Y] - y
+        seen[at + 2], seen[at + 3] = speed * math.cos(heading), speed * math.sin(heading)
+        seen[at + 4] = state.turns[row]
+        seen[at + 5] = 1.0
+    seen[ROW * n], seen[ROW * n + 1] = state.disk[0] - x, state.disk[1] - y
+    seen[ROW * n + 2] = state.disk[2]

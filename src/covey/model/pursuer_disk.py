@@ -1,0 +1,62 @@
+"""The pursuer as the team knows it: a disk that it is in, its speed, its reach."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy.typing as npt
+
+from covey.model.team import Team
+from covey.model.validation import Floats, InputError, frozen_array, number
+
+
+@dataclass(frozen=True, eq=False)
+class PursuerDisk:
+    """A pursuer of simple motion that is somewhere in a closed disk: D(x_c, r) of the paper.
+
+    Parameters
+    ----------
+    center
+        (2,), lengths.
+    radius
+        r >= 0, a length; 0 where the pursuer's position is known.
+    speed
+        v_p > 0, length per time.
+    capture_radius
+        ρ >= 0, a length: an evader is captured when the pursuer comes within it. The paper's game
+        has ρ = 0.
+
+    Raises
+    ------
+    InputError
+        If a number is not finite or out of its range.
+    """
+
+    center: Floats
+    radius: float
+    speed: float
+    capture_radius: float
+
+    def __init__(
+        self,
+        center: npt.ArrayLike = (0.0, 0.0),
+        radius: float = 0.0,
+        speed: float = 1.0,
+        capture_radius: float = 0.0,
+    ) -> None:
+        for name, value in (
+            ("center", frozen_array("center", center, (2,))),
+            ("radius", number("radius", radius, low=0.0)),
+            ("speed", number("speed", speed, low=0.0, strictly=True)),
+            ("capture_radius", number("capture_radius", capture_radius, low=0.0)),
+        ):
+            object.__setattr__(self, name, value)
+
+    def require_faster_than(self, team: Team) -> None:
+        """Raise InputError if an evader is as fast as the pursuer: it could flee for ever."""
+        fastest = int(team.speeds.argmax())
+        if team.speeds[fastest] >= self.speed:
+            raise InputError(
+                f"speeds: expected every evader to be slower than the pursuer ({self.speed:g}), "
+                f"got speeds[{fastest}] = {team.speeds[fastest]:g}"
+            )

@@ -1,0 +1,70 @@
+"""A hidden pursuer that keeps to a sequence, and lets some captures wait."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from covey.kernels.play.to_capture import holds, is_due
+from covey.model import InputError
+from covey.model.validation import number
+from covey.players.pursuers.fixed_order import checked_sequence
+from covey.simulation import Chase, Fly, PursuerPolicy, Situation
+
+
+@dataclass(frozen=True)
+class DelayedSequence:
+    """Capture the evaders in a given order, each some time after the disk has reached it.
+
+    Until a capture happens, a team that doesn't see the pursuer can't know how near it is. So a
+    pursuer that waits may learn more from the team's flight than the team from the capture.
+
+    Parameters
+    ----------
+    sequence
+        Each evader's number once.
+    delays
+        (N,) in the order of `sequence`, times >= 0. With 0 the capture comes as soon as the disk
+        reaches the evader; else at the first update that is at least so long after the first one
+        at which the disk holds it.
+    """
+
+    sequence: tuple[int, ...]
+    delays: tuple[float, ...]
+
+    def __init__(self, sequence: Sequence[int], delays: Sequence[float]) -> None:
+        order = checked_sequence("DelayedSequence", sequence)
+        waits = tuple(number("DelayedSequence.delays", delay, low=0.0) for delay in delays)
+        if len(waits) != len(order):
+            raise InputError(
+                f"DelayedSequence: expected {len(order)} delays, one for each capture, "
+                f"got {list(delays)}"
+            )
+        object.__setattr__(self, "sequence", order)
+        object.__setattr__(self, "delays", waits)
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return name and parameters."""
+        return {
+            "name": "delayed-sequence",
+            "sequence": list(self.sequence),
+            "delays": list(self.delays),
+        }
+
+    def start(self, seed: int) -> PursuerPolicy:  # noqa: ARG002 the protocol's signature
+        """Return the policy of one game."""
+        held_since: dict[int, float] = {}
+
+        def decide(situation: Situation) -> Chase | Fly:
+            n = len(situation.evaders)
+            target, delay = self.sequence[-n], self.delays[-n]
+            disk = situation.disk
+            x, y = situation.team.positions[situation.evaders.index(target)]
+            if holds(x, y, disk.center[0], disk.center[1], disk.radius + disk.capture_radius):
+                held_since.setdefault(target, situation.time)
+            due = is_due(situation.time, held_since.get(target, math.inf), delay)
+            return Chase(self.sequence[-n:]) if due else Fly()
+
+        return decide

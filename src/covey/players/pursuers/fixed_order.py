@@ -1,0 +1,128 @@
+"""Pursuers that fix the order of capture at the start of a game, and keep to it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from covey.bounds.announced_sequence import best_announcement
+from covey.model import InputError, PursuerDisk, Team
+from covey.model.objectives import checked_draws, described_draws, draws_of
+from covey.model.validation import Ints, listed, permutation
+from covey.players.pursuers.commitment import KeepsSequence
+
+
+def checked_sequence(name: str, sequence: Sequence[int]) -> tuple[int, ...]:
+    """Return a sequence that holds each of 0..N-1 once; else raise InputError."""
+    order = listed(name, sequence)
+    if not order:
+        raise InputError(f"{name}: expected each evader once, got nobody")
+    return tuple(permutation(name, order, len(order)).tolist())
+
+
+def require_whole_team(name: str, sequence: tuple[int, ...], count: int) -> None:
+    """Raise InputError unless the sequence is one of `count` evaders."""
+    if len(sequence) != count:
+        raise InputError(
+            f"{name}: expected a sequence of all {count} evaders, got {list(sequence)}"
+        )
+
+
+@dataclass(frozen=True)
+class FixedSequence(KeepsSequence):
+    """Capture the evaders in a given order, whatever they do.
+
+    Parameters
+    ----------
+    sequence
+        Each evader's number once. None: 0, 1, 2 and so on, which fits teams of every size.
+    """
+
+    sequence: tuple[int, ...] | None = None
+
+    def __init__(self, sequence: Sequence[int] | None = None) -> None:
+        if sequence is not None:
+            sequence = checked_sequence("FixedSequence", sequence)
+        object.__setattr__(self, "sequence", sequence)
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return name and parameters, as a scenario file gives them."""
+        given = {} if self.sequence is None else {"sequence": list(self.sequence)}
+        return {"name": "fixed-sequence", **given}
+
+    def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:  # noqa: ARG002
+        """Return the sequence given, if it is one of this team."""
+        if self.sequence is None:
+            return np.arange(len(team))
+        require_whole_team("FixedSequence", self.sequence, len(team))
+        return np.array(self.sequence, dtype=np.int64)
+
+
+@dataclass(frozen=True)
+class BestSequence(KeepsSequence):
+    """Capture the evaders in the order with the best guaranteed capture time, whatever they do.
+
+    For each sequence a team that knows it can survive for some longest time; this is the sequence
+    for which that is least, which the references give to the pursuer (the paper's [7] and [8]). No
+    team that turns at once survives longer, whatever it does. One that can't may draw the game out
+    a little, by turns that it announces and doesn't fly.
+
+    Notes
+    -----
+    The sequences are compared on a grid of headings and the best few exactly. Up to five evaders
+    all are; with more, those that a beam search comes to.
+
+    References
+    ----------
+    See `KnownSequence`, the team that flies against it.
+    """
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return the name, as a scenario file gives it."""
+        return {"name": "best-sequence"}
+
+    def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:  # noqa: ARG002
+        """Return the order that the team could delay least if it knew it."""
+        return np.array(best_announcement(team, disk, ()).sequence, dtype=np.int64)
+
+
+@dataclass(frozen=True)
+class RandomSequence(KeepsSequence):
+    """Capture the evaders in an order that is drawn from the game's seed, whatever they do.
+
+    Parameters
+    ----------
+    sequences
+        Those that are drawn from, each with every evader's number once. None: all of them.
+    weights
+        How likely each is, relative to the others, >= 0. None: all alike.
+    """
+
+    sequences: tuple[tuple[int, ...], ...] | None = None
+    weights: tuple[float, ...] | None = None
+
+    def __init__(
+        self,
+        sequences: Sequence[Sequence[int]] | None = None,
+        weights: Sequence[float] | None = None,
+    ) -> None:
+        kept = checked_draws("RandomSequence", sequences, weights)
+        for name, value in zip(("sequences", "weights"), kept, strict=True):
+            object.__setattr__(self, name, value)
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return name and parameters, as a scenario file gives them."""
+        return {"name": "random-sequence", **described_draws(self.sequences, self.weights)}
+
+    def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:  # noqa: ARG002
+        """Return the order that was drawn."""
+        # Not the stream that the starts of the searches come from.
+        generator = np.random.default_rng([seed, 1])
+        if self.sequences is None:
+            return generator.permutation(len(team))
+        draws = draws_of("RandomSequence", self.sequences, self.weights, len(team))
+        drawn: Ints = generator.choice(draws.sequences, p=draws.probabilities)
+        return drawn

@@ -1,0 +1,186 @@
+"""Teams that plan in open loop: once, or again at every update (section IV.C of the paper)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from covey.kernels.maximum.multistart import search_scratch
+from covey.kernels.maximum.objective import rule_out, spent
+from covey.kernels.maximum.working_set import forget_captured
+from covey.kernels.play import policy
+from covey.kernels.play.replanning import replan
+from covey.model.validation import Floats, whole_number
+from covey.planning import Plan, plan
+from covey.planning.compiled_objective import aim_of
+from covey.planning.guarantee import pursuit_of
+from covey.planning.multistart import MOST_STEPS
+from covey.planning.open_loop import DEFAULT_STARTS, DEFAULT_TOLERANCE, columns_of, start_noise
+from covey.players.teams.replan_interval import checked_replan_time, least_wait, paced
+from covey.simulation import Situation, TeamPolicy
+
+REPLAN_TOLERANCE = 1e-7
+"""An update ends when a step promises less than this, relative; the next goes on from there."""
+
+
+@dataclass(frozen=True)
+class OpenLoop:
+    """Plan once, and fly that plan to the end (section IV.B of the paper).
+
+    Parameters
+    ----------
+    starts
+        Starts of the search for the plan; see `covey.plan`.
+    """
+
+    starts: int = DEFAULT_STARTS
+
+    def __post_init__(self) -> None:
+        """Check the field."""
+        whole_number("OpenLoop.starts", self.starts, low=1)
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return name and parameters, as a scenario file gives them."""
+        return {"name": "open-loop", "starts": self.starts}
+
+    def compiled(self) -> policy.TeamPolicy:
+        """Return the policy of a compiled game."""
+        return policy.TeamPolicy(False, 0.0, 0, DEFAULT_TOLERANCE, MOST_STEPS)
+
+    def start(self, seed: int) -> TeamPolicy:
+        """Return the policy of one game."""
+        begun = False
+
+        def turns(situation: Situation) -> Floats:
+            nonlocal begun
+            if begun:
+                return situation.turns
+            begun = True
+            return plan(
+                situation.team,
+                situation.disk,
+                objective=situation.objective,
+                seed=seed,
+                starts=self.starts,
+            ).turns
+
+        return turns
+
+
+@dataclass(frozen=True)
+class IterativeOpenLoop:
+    """Plan again and again, from the present state: the paper's iOL (section IV.C).
+
+    The plan that is flown is always the first start, so the team never survives less than its
+    first plan guaranteed, or never less in sum where the game is about that.
+
+    Parameters
+    ----------
+    starts
+        Starts of the search for the first plan; see `covey.plan`.
+    restarts
+        Other starts that are followed when an evader has been captured, for then the game is a
+        new one.
+    replan_time
+        Least time between two plans, >= 0; 0 plans at every update. A capture brings a new plan at
+        once.
+    """
+
+    starts: int = DEFAULT_STARTS
+    restarts: int = 8
+    replan_time: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Check the fields."""
+        whole_number("IterativeOpenLoop.starts", self.starts, low=1)
+        whole_number("IterativeOpenLoop.restarts", self.restarts, low=0)
+        checked_replan_time(self)
+
+    def describe(self) -> Mapping[str, Any]:
+        """Return name and parameters, as a scenario file gives them."""
+        return {"name": "iterative-open-loop", **asdict(self)}
+
+    def compiled(self) -> policy.TeamPolicy:
+        """Return the policy of a compiled game."""
+        wait = least_wait(self.replan_time)
+        return policy.TeamPolicy(True, wait, self.restarts, REPLAN_TOLERANCE, MOST_STEPS)
+
+    def start(self, seed: int) -> TeamPolicy:
+        """Return the policy of one game."""
+        return paced(Replanning(self, seed), self.replan_time)
+
+
+class Replanning:
+    """The policy of an iterative open-loop team in one game, and its memory.
+
+    Parameters
+    ----------
+    strategy, seed
+        Whose policy it is, and of which game.
+    same_game
+        Whether all situations are of one game that goes by the rules: then a plan loses no more
+        worth than time goes by, which spares work.
+    """
+
+    def __init__(self, strategy: IterativeOpenLoop, seed: int, *, same_game: bool = True) -> None:
+        self._strategy, self._seed, self._same_game = strategy, seed, same_game
+        self._living: tuple[int, ...] = ()
+
+    def __call__(self, situation: Situation) -> Floats:
+        """Return the first plan, or the last one improved."""
+        if not self._living:
+            return self._begin(situation)
+        columns, noise, last, aim = self._memory
+        living, restarts = len(self._living), 0
+        since = spent(situation.time - last[0], living, aim.total)
+        for i in self._living:
+            if i not in situation.evaders:
+                row = self._living.index(i)
+                forget_captured(columns, living, row)
+                if aim.expected:
+                    rule_out(aim.draws, living, row)
+                self._living = tuple(j for j in self._living if j != i)
+                restarts = self._strategy.restarts
+                break
+        turns = situation.turns.copy()
+        worth = replan(
+            situation.team.as_rows(),
+            len(turns),
+            pursuit_of(situation.disk),
+            aim,
+            noise,
+            restarts,
+            REPLAN_TOLERANCE,
+            MOST_STEPS,
+            last[1] - since,
+            turns,
+            columns,
+            self._scratch,
+        )
+        last[:] = situation.time, worth if self._same_game else -math.inf
+        return turns
+
+    def _begin(self, situation: Situation) -> Floats:
+        first = plan(
+            situation.team,
+            situation.disk,
+            objective=situation.objective,
+            seed=self._seed,
+            starts=self._strategy.starts,
+        )
+        self._living = situation.evaders
+        self._memory = first_memory(first, self._seed, self._strategy.restarts)
+        self._memory.last[0] = situation.time
+        self._scratch = search_scratch(len(first.turns), self._memory.aim.total)
+        return np.array(first.turns)
+
+
+def first_memory(first: Plan, seed: int, restarts: int) -> policy.TeamMemory:
+    """Return what a team remembers at time 0, with its first plan made."""
+    noise = start_noise(seed, restarts, len(first.turns))
+    aim = aim_of(first.objective, len(first.turns))
+    return policy.TeamMemory(columns_of(first), noise, np.array([0.0, -math.inf]), aim)

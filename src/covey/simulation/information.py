@@ -1,0 +1,103 @@
+"""The border between strategies and rules: what players are told, what they decided, checked."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from covey.kernels.play.rules import NOBODY, State
+from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team
+from covey.model.validation import Floats, Ints, frozen_array
+from covey.simulation.strategy import Chase, Fly, Situation
+
+_NO_ROWS = np.empty(0, np.int64)
+
+
+def told_to_team(
+    state: State,
+    disk: PursuerDisk,
+    objective: Objective = LastCapture(),  # noqa: B008 frozen
+) -> Situation:
+    """Return what the team knows; `disk` gives the pursuer's speed and reach."""
+    alive = int(state.alive[0])
+    rows = state.evaders[:alive]
+    return Situation(
+        time=float(state.time[0]),
+        evaders=tuple(state.ids[:alive].tolist()),
+        team=Team(rows[:, :2], rows[:, 2], rows[:, 3], rows[:, 4]),
+        disk=PursuerDisk(state.disk[:2], state.disk[2], disk.speed, disk.capture_radius),
+        turns=_read_only_copy(state.turns[:alive]),
+        objective=objective,
+    )
+
+
+def told_to_pursuer(team_knows: Situation, state: State, *, flies: bool) -> Situation:
+    """Return that with the turns that were announced since and, if the pursuer `flies`, its place.
+
+    Where the game began with a disk, one that is seen has no place before it first moves.
+    """
+    placed = flies and state.pursuer[2] == 0.0
+    return replace(
+        team_knows,
+        turns=_read_only_copy(state.turns[: len(team_knows.turns)]),
+        place=_read_only_copy(state.pursuer[:2]) if placed else None,
+    )
+
+
+def checked_turns(turns: object, alive: int) -> Floats:
+    """Return what the team decided, (alive,) turns in [-π, π]."""
+    checked = frozen_array("turns returned by the team's strategy", turns, (alive,))
+    if np.abs(checked).max() > math.pi:
+        raise InputError(
+            f"turns returned by the team's strategy: expected radians in [-π, π], "
+            f"got {checked.tolist()}"
+        )
+    return checked
+
+
+def checked_decision(
+    decision: object, living: Sequence[int], disk: PursuerDisk, *, flies: bool
+) -> tuple[Ints, int, tuple[float, float]]:
+    """Return what the pursuer decided: the rows of the living that it means to capture, in order.
+
+    Then, as the rules take it, the row that it makes for, or `NOBODY`, and the velocity that it
+    flies then. One that doesn't fly is a disk and can only wait.
+    """
+    if isinstance(decision, Chase):
+        rows = _chosen_rows(decision, living)
+        return rows, int(rows[0]), (0.0, 0.0)
+    if isinstance(decision, Fly):
+        return _NO_ROWS, NOBODY, _chosen_velocity(decision, disk, flies=flies)
+    raise InputError(f"pursuer's decision: expected Chase or Fly, got {decision!r}")
+
+
+def _chosen_rows(chase: Chase, living: Sequence[int]) -> Ints:
+    sequence = list(chase.sequence)
+    if not sequence or len(set(sequence)) < len(sequence) or not set(sequence) <= set(living):
+        raise InputError(
+            f"Chase: expected a sequence of living evaders {list(living)}, got {sequence}"
+        )
+    return np.array([living.index(i) for i in sequence], dtype=np.int64)
+
+
+def _chosen_velocity(fly: Fly, disk: PursuerDisk, *, flies: bool) -> tuple[float, float]:
+    velocity = frozen_array("Fly.velocity", fly.velocity, (2,))
+    speed = float(np.hypot(*velocity))
+    if speed > disk.speed * (1.0 + 1e-12):
+        raise InputError(f"Fly: expected a speed of at most {disk.speed:g}, got {speed:g}")
+    if not flies and speed > 0.0:
+        raise InputError(
+            "Fly: a hidden pursuer is known as a disk only and can't be steered; "
+            "return Chase((...)) to name its next target, or Fly() to wait, or give its "
+            "strategy a place"
+        )
+    return float(velocity[0]), float(velocity[1])
+
+
+def _read_only_copy(array: Floats) -> Floats:
+    copy = array.copy()
+    copy.flags.writeable = False
+    return copy

@@ -1,0 +1,1 @@
+"""What a study is: its grid of cases, its starts, its file."""

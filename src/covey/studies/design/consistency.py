@@ -1,0 +1,70 @@
+"""What must fit together in a study, beyond the single values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import product
+from typing import Any
+
+from covey.model import InputError
+from covey.model.objectives import draws_of
+from covey.planning.compiled_objective import aim_of, checked_objective
+from covey.players import FixedSequence, KnownSequence, RandomSequence
+from covey.scenarios.mistakes import Mistake, Place
+from covey.studies.design.start_table import FromFile
+
+
+def misfits(values: Mapping[str, Any]) -> Iterator[Mistake]:
+    """Find what doesn't fit together, among values that are right by themselves."""
+    fastest, slowest = max(values["speed"]), min(values["pursuer_speed"])
+    if fastest >= slowest:
+        text = (
+            f"expected every evader to be slower than every pursuer ({slowest:g}), or it could "
+            f"flee for ever; got {fastest:g}"
+        )
+        yield Mistake(("speed",), text)
+    yield from _sequences(values)
+    yield from _objectives(values)
+    yield from _files(values)
+
+
+def _sequences(values: Mapping[str, Any]) -> Iterator[Mistake]:
+    for side, size in product(("pursuer", "evaders"), values["team_size"]):
+        for index, strategy in enumerate(values[side]):
+            known = isinstance(strategy, FixedSequence | KnownSequence)
+            if known and strategy.sequence is not None and len(strategy.sequence) != size:
+                text = (
+                    f"expected a sequence of all {size} evaders of a team, got "
+                    f"{list(strategy.sequence)}; a study of several team sizes has no common one"
+                )
+                yield Mistake((side, index, "sequence"), text)
+            if isinstance(strategy, RandomSequence) and strategy.sequences is not None:
+                yield from _draws((side, index), strategy, size)
+
+
+def _draws(place: Place, strategy: RandomSequence, size: int) -> Iterator[Mistake]:
+    try:
+        draws_of("RandomSequence", strategy.sequences, strategy.weights, size)
+    except InputError as error:
+        yield Mistake(place, str(error))
+
+
+def _objectives(values: Mapping[str, Any]) -> Iterator[Mistake]:
+    for (index, objective), size in product(enumerate(values["objective"]), values["team_size"]):
+        try:
+            aim_of(checked_objective(objective), size)
+        except InputError as error:
+            yield Mistake(("objective", index), str(error))
+
+
+def _files(values: Mapping[str, Any]) -> Iterator[Mistake]:
+    sampler = values["sampler"]
+    if not isinstance(sampler, FromFile):
+        return
+    if len(sampler.all) < values["starts"]:
+        text = f"expected at most {len(sampler.all)}, as many as {sampler.path} has"
+        yield Mistake(("starts",), f"{text}, got {values['starts']}")
+    largest = max(values["team_size"])
+    if sampler.all.smallest_team < largest:
+        text = f"expected at most {sampler.all.smallest_team}, the evaders of the smallest start in"
+        yield Mistake(("team_size",), f"{text} {sampler.path}, got {largest}")

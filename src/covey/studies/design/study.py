@@ -1,0 +1,170 @@
+"""What a study is: starts, and the grid of cases in which every one of them is played."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from itertools import product
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from covey.model import LastCapture, Objective, PursuerDisk, Team
+from covey.model.validation import InputError
+from covey.players import CommittedPursuer, IterativeOpenLoop
+from covey.scenarios.samplers import Sampler, Square
+from covey.simulation import PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStrategy
+from covey.simulation.strategy import description
+from covey.studies.design.as_visible import AsVisible
+from covey.studies.design.consistency import misfits
+from covey.studies.design.fields import FIELDS
+from covey.studies.design.start_table import FromFile
+
+AnyTeam = TeamStrategy | TeamPolicy
+AnyPursuer = PursuerStrategy | PursuerPolicy | AsVisible
+
+
+class Case(NamedTuple):
+    """One combination of the grid: all of a game but its start."""
+
+    team_size: int
+    speed: float
+    turn_rate: float
+    pursuer_speed: float
+    disk_radius: float
+    capture_radius: float
+    update_time: float
+    sensing: str
+    objective: Objective
+    evaders: AnyTeam
+    pursuer: AnyPursuer
+
+
+GRID = Case._fields
+
+
+class Start(NamedTuple):
+    """Where a team starts, and the seed of the searches for its plans."""
+
+    positions: Any  # (N, 2)
+    headings: Any  # (N,)
+    seed: int
+
+
+@dataclass(frozen=True, eq=False)
+class Study:
+    """Many games: every start in every case of a grid, so that all comparisons are paired.
+
+    The first four are single values. Each of the others is a value or a sequence of values, and
+    every combination is a case.
+
+    Parameters
+    ----------
+    starts
+        How many starts are drawn.
+    seed
+        From which all of them come. A start depends on it and on its own number alone.
+    sampler
+        How they are drawn: `Square`, `Disk`, `Formation`, `FromFile`.
+    trajectories
+        Whether the course of every game is kept too.
+    team_size
+        Evaders, 1 to 20.
+    speed, turn_rate
+        Of every evader; "pi/2" or "90 deg" will do for a turn rate. Default: the paper's.
+    pursuer_speed, disk_radius, capture_radius
+        The pursuer, in a disk around the origin.
+    update_time, sensing
+        See `covey.simulate`.
+    objective
+        What the games are about, by the names that study files know or as values.
+    evaders, pursuer
+        Strategies, by the names that study files know or as values, your own too.
+
+    Raises
+    ------
+    InputError
+        With all mistakes, one a line.
+    """
+
+    starts: int = 500
+    seed: int = 0
+    sampler: Sampler = Square()  # noqa: RUF009 frozen
+    trajectories: bool = False
+    team_size: Any = 5
+    speed: Any = 0.25
+    turn_rate: Any = math.pi / 2
+    pursuer_speed: Any = 1.0
+    disk_radius: Any = 0.0
+    capture_radius: Any = 0.0
+    update_time: Any = 0.01
+    sensing: Any = ("visible", "hidden")
+    objective: Any = LastCapture()  # noqa: RUF009 frozen
+    evaders: Any = IterativeOpenLoop()  # noqa: RUF009 frozen
+    pursuer: Any = CommittedPursuer()  # noqa: RUF009 frozen
+
+    def __post_init__(self) -> None:
+        """Check all fields, and make each of the grid a tuple."""
+        mistakes = []
+        for field in fields(self):
+            value, found = FIELDS[field.name].read((field.name,), getattr(self, field.name))
+            mistakes += found
+            object.__setattr__(self, field.name, value)
+        mistakes = mistakes or list(misfits({f.name: getattr(self, f.name) for f in fields(self)}))
+        if mistakes:
+            raise InputError("study: " + "\n  ".join(map(str, mistakes)))
+
+    @cached_property
+    def cases(self) -> tuple[Case, ...]:
+        """All combinations of the grid, the last field fastest."""
+        return tuple(Case(*values) for values in product(*(getattr(self, name) for name in GRID)))
+
+    @property
+    def games(self) -> int:
+        """How many games are played; game i is start i // len(cases) in case i % len(cases)."""
+        return self.starts * len(self.cases)
+
+    def start(self, number: int, team_size: int) -> Start:
+        """Draw a start; the same, whatever else is drawn."""
+        layout, search = np.random.SeedSequence(self.seed, spawn_key=(number,)).spawn(2)
+        generator = np.random.default_rng(layout)
+        positions, headings = self.sampler.draw(number, team_size, generator)
+        return Start(positions, headings, int(search.generate_state(1)[0]))
+
+    def only(self, first: int, last: int) -> Study:
+        """Return what a worker needs to play the starts from `first` up to `last`."""
+        if isinstance(self.sampler, FromFile):
+            return replace(self, sampler=self.sampler.all.only(first, last))
+        return self
+
+    def describe(self) -> dict[str, Any]:
+        """Return all that the games follow from, as a study file gives it."""
+        own = [field.name for field in fields(self) if field.name not in GRID]
+        described = {name: _plain(getattr(self, name)) for name in own}
+        described["grid"] = {name: [_plain(v) for v in getattr(self, name)] for name in GRID}
+        return described
+
+
+def game_of(case: Case, start: Start) -> tuple[Team, PursuerDisk]:
+    """Return the state of a game at time 0."""
+    return (
+        Team(start.positions, start.headings, case.speed, case.turn_rate),
+        PursuerDisk((0.0, 0.0), case.disk_radius, case.pursuer_speed, case.capture_radius),
+    )
+
+
+def _plain(value: object) -> object:
+    if value is None or isinstance(value, bool | int | float | str):
+        return value
+    return dict(description(value))
+
+
+def flattened(tree: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
+    """Return the leaves of nested tables by their places: ("grid.speed", [0.25])."""
+    for key, value in tree.items():
+        if isinstance(value, Mapping):
+            yield from flattened(value, f"{prefix}{key}.")
+        else:
+            yield prefix + key, value

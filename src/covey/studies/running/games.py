@@ -1,0 +1,97 @@
+"""Play the games of one start, in all cases: what every worker does, on any machine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+from covey.model import PursuerDisk, Team
+from covey.players import Outcome, simulate, survival
+from covey.players.outcome import outcome_of
+from covey.simulation import Game
+from covey.studies.design.as_visible import AsVisible
+from covey.studies.design.study import Case, Start, Study, game_of
+
+
+class StudyGame(NamedTuple):
+    """A game that was played."""
+
+    number: int
+    case: int
+    start: int
+    origin: Start
+    outcome: Outcome
+    record: Game | None  # kept on request
+
+
+class GameError(Exception):
+    """A game that couldn't be played: its number in the study, its seed, what happened."""
+
+    def __init__(self, number: int, seed: int, message: str) -> None:
+        super().__init__(number, seed, message)  # all of it, or it couldn't come back from a worker
+        self.number, self.seed, self.message = number, seed, message
+
+    def __str__(self) -> str:
+        """Return the line that a person reads."""
+        return f"game {self.number} (seed {self.seed}): {self.message}"
+
+
+def load_kernels() -> None:
+    """Play a small game, for which all kernels are loaded, and compiled if they never were."""
+    survival(Team([[0.1, 0.0], [0.0, 0.1]], [0.0, 1.0]), PursuerDisk(), update_time=0.1)
+
+
+def play_start(study: Study, number: int) -> Iterator[StudyGame]:
+    """Play all games of a start, in the order of the cases."""
+    visible: dict[tuple[Any, ...], Outcome] = {}
+    for k, case in enumerate(study.cases):
+        start = study.start(number, case.team_size)
+        game = number * len(study.cases) + k
+        try:
+            outcome, record = _play(case, start, visible, study.trajectories)
+        except Exception as error:
+            message = f"{type(error).__name__}: {error}"
+            raise GameError(game, start.seed, message) from error
+        yield StudyGame(game, k, number, start, outcome, record)
+
+
+def _play(
+    case: Case, start: Start, visible: dict[tuple[Any, ...], Outcome], recorded: bool
+) -> tuple[Outcome, Game | None]:
+    if not isinstance(case.pursuer, AsVisible):
+        return _play_as(case, start, recorded)
+    key = _without_sensing(case)
+    seen = case._replace(sensing="visible", pursuer=case.pursuer.visible())
+    if case.sensing == "visible":
+        outcome, record = _play_as(seen, start, recorded)
+        visible[key] = outcome
+        return outcome, record
+    if key not in visible:
+        visible[key], _ = _play_as(seen, start, False)
+    pursuer = case.pursuer.hidden(visible[key], case.team_size)
+    return _play_as(case._replace(pursuer=pursuer), start, recorded)
+
+
+def _without_sensing(case: Case) -> tuple[Any, ...]:
+    """Return what a case shares with those that differ from it in sensing only.
+
+    Strategies may not be hashable; they live as long as the study, so who they are will do.
+    """
+    values = case._asdict() | {"evaders": id(case.evaders), "pursuer": id(case.pursuer)}
+    del values["sensing"]
+    return tuple(values.values())
+
+
+def _play_as(case: Case, start: Start, recorded: bool) -> tuple[Outcome, Game | None]:
+    arguments: dict[str, Any] = {
+        "evaders": case.evaders,
+        "pursuer": case.pursuer,
+        "sensing": case.sensing,
+        "update_time": case.update_time,
+        "seed": start.seed,
+        "objective": case.objective,
+    }
+    if recorded:
+        game = simulate(*game_of(case, start), **arguments)
+        return outcome_of(game), game
+    return survival(*game_of(case, start), **arguments), None

@@ -1,0 +1,87 @@
+"""How close strategies come to the true value, by the speeds of two evaders."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from covey.views.kit import style
+from covey.views.kit.layout import add_axes, new_figure
+from covey.views.kit.style import styled
+
+_SIDE = 2.0
+_HEADROOM = 0.62
+_COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", style.INK, style.FAINT)
+_MARKS = ("o", "s", "^", "D", "v", "P", "X", "*")
+_SPREAD = 0.6
+
+
+class Closeness(NamedTuple):
+    """Survival time over the value of the game: the mean over starts, and the least."""
+
+    mean: float
+    least: float
+
+
+@styled
+def draw_closeness(panels: Mapping[str, Mapping[str, Mapping[str, Closeness]]]) -> Figure:
+    """Draw survival over the true value: a mark at the mean, a line down to the least.
+
+    Parameters
+    ----------
+    panels
+        For each panel, by its title, each strategy's closeness by the speeds.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Panels side by side on one scale, two columns of a paper wide if there are two.
+    """
+    left, bottom, gap = 0.5, 0.4, 0.18
+    width = (2.0 * style.COLUMN_WIDTH - left - 0.28 - gap) / 2.0
+    figure = new_figure(left + len(panels) * (width + gap) + 0.1, bottom + _SIDE + _HEADROOM)
+    least = min(
+        each.least
+        for strategies in panels.values()
+        for row in strategies.values()
+        for each in row.values()
+    )
+    for k, (title, strategies) in enumerate(panels.items()):
+        axes = add_axes(figure, left + k * (width + gap), bottom, width, _SIDE)
+        _draw_panel(axes, strategies)
+        axes.set_ylim(1.0 - 1.15 * (1.0 - least), 1.0 + 0.08 * (1.0 - least))
+        axes.set_title(f"({'abcdef'[k]})  {title}", loc="left", pad=3)
+        if k == 0:
+            figure.legend(loc="upper center", ncols=4)
+            axes.set_ylabel("survival time over the value")
+        else:
+            axes.tick_params(labelleft=False)
+    return figure
+
+
+def _draw_panel(axes: Axes, strategies: Mapping[str, Mapping[str, Closeness]]) -> None:
+    offsets = _SPREAD * ((np.arange(len(strategies)) + 0.5) / len(strategies) - 0.5)
+    for k, (name, row) in enumerate(strategies.items()):
+        places = np.arange(len(row)) + offsets[k]
+        means, least = np.array(list(row.values())).T
+        color = _COLORS[k % len(_COLORS)]
+        axes.vlines(places, least, means, color=color, linewidth=style.THIN_LINE)
+        axes.plot(
+            places,
+            means,
+            color=color,
+            linestyle="none",
+            marker=_MARKS[k % len(_MARKS)],
+            markersize=0.8 * style.EVADER_SIZE,
+            markeredgewidth=0.0,
+            label=name.replace("-", " "),
+            gid=name,
+        )
+        axes.set_xticks(range(len(row)), list(row))
+    axes.axhline(1.0, color=style.FAINT, linewidth=style.THIN_LINE, linestyle=style.PURSUER_DOTS)
+    axes.set_xlabel("speeds of the two, relative to the pursuer's", labelpad=2)
+    axes.spines[["top", "right"]].set_visible(False)

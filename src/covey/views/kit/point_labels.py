@@ -1,0 +1,112 @@
+"""Labels beside points, each where it hides least."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.text import Annotation, Text
+from matplotlib.transforms import Bbox
+
+from covey.model.validation import Floats
+from covey.views.kit import style
+
+_DISTANCES = (5.0, 8.0, 12.0, 17.0, 24.0, 33.0)
+"""From the mark to the label's edge, typographic points."""
+
+_DIRECTIONS = tuple(math.tau * k / 16 for k in range(16))
+_OVERLAP, _OUTSIDE, _FAR = 1000.0, 1000.0, 0.2
+"""What a place costs for each label under it, for leaving the map, for each point of distance; a
+point of a line that it hides costs 1."""
+
+_LEADER = {
+    "arrowstyle": "-",
+    "color": style.FAINT,
+    "linewidth": 0.5 * style.THIN_LINE,
+    "shrinkA": 0.0,
+    "shrinkB": 0.0,
+}
+_NEAR = 9.0
+"""A hair line joins mark and label where they are farther apart than this."""
+
+
+def label(
+    axes: Axes,
+    points: Floats,
+    texts: Sequence[str],
+    lines: Floats,
+    size: float = style.SMALL_TEXT_SIZE,
+) -> list[Annotation]:
+    """Write a text beside each of `points` (K, 2), off each other and off `lines` (M, 2).
+
+    Greedy: one label after the other takes the best place that is left. The axes must have their
+    final place and limits.
+    """
+    drawn = axes.transData.transform(np.concatenate([lines, points]))
+    taken: list[Bbox] = []
+    labels = []
+    for point, text in zip(points, texts, strict=True):
+        note = _note(axes, point, text, size)
+        distance, offset, box = _best_place(axes, note, drawn, taken)
+        note.set_position(offset)
+        if note.arrow_patch is not None:
+            note.arrow_patch.set_visible(distance > _NEAR)
+        taken.append(box)
+        labels.append(note)
+    return labels
+
+
+def footprint(axes: Axes, text: Text) -> Floats:
+    """Points (K, 2) all over a text, which labels keep off."""
+    box = text.get_window_extent()
+    shares = np.linspace(0.0, 1.0, 5)
+    grid = [(box.x0 + a * box.width, box.y0 + b * box.height) for a in shares for b in shares]
+    points: Floats = axes.transData.inverted().transform(grid)
+    return points
+
+
+def _note(axes: Axes, point: Floats, text: str, size: float) -> Annotation:
+    return axes.annotate(
+        text,
+        (float(point[0]), float(point[1])),
+        xytext=(0.0, 0.0),
+        textcoords="offset points",
+        ha="center",
+        va="center",
+        arrowprops=_LEADER,
+        fontsize=size,
+        zorder=style.TEXT_LAYER,
+    )
+
+
+def _best_place(
+    axes: Axes, note: Annotation, drawn: Floats, taken: list[Bbox]
+) -> tuple[float, tuple[float, float], Bbox]:
+    """Distance and offset from its point, in typographic points, and the box it fills, pixels."""
+    pixels = axes.figure.dpi / 72.0
+    extent = note.get_window_extent()
+    half_width, half_height = 0.5 * extent.width / pixels, 0.5 * extent.height / pixels
+    x, y = axes.transData.transform(note.xy)
+    best = (math.inf, 0.0, (0.0, 0.0), extent)
+    for distance in _DISTANCES:
+        for angle in _DIRECTIONS:
+            across = math.cos(angle) * (distance + half_width)
+            up = math.sin(angle) * (distance + half_height)
+            box = Bbox.from_bounds(
+                x + pixels * (across - half_width),
+                y + pixels * (up - half_height),
+                extent.width,
+                extent.height,
+            )
+            cost = _cost(box, drawn, taken, axes.bbox) + _FAR * distance
+            if cost < best[0]:
+                best = (cost, distance, (across, up), box)
+    return best[1:]
+
+
+def _cost(box: Bbox, drawn: Floats, taken: list[Bbox], page: Bbox) -> float:
+    inside = page.x0 < box.x0 and box.x1 < page.x1 and page.y0 < box.y0 and box.y1 < page.y1
+    hidden = box.padded(2.0).count_contains(drawn)
+    return hidden + _OVERLAP * box.count_overlaps(taken) + (0.0 if inside else _OUTSIDE)

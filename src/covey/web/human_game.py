@@ -1,0 +1,104 @@
+"""One game that a person plays, the optimal pursuer's game from the same start, and the score."""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+from typing import NamedTuple
+
+from covey.model import InputError
+from covey.players import CommittedPursuer, simulate
+from covey.simulation import Game, Settings
+from covey.simulation.match import Match
+from covey.web.choices import Choices
+from covey.web.human_pursuer import Person
+
+UPDATE_TIME = 0.005
+"""In the game's time: even at a quarter of the pace the team plans every 20 ms."""
+
+TIME_LIMIT = 120.0
+"""A game is stopped then, with its evaders alive: nobody chases for longer."""
+
+LONGEST_GUARANTEE = 60.0
+"""No game is offered that could not be won well before the time limit."""
+
+
+class Score(NamedTuple):
+    """A person against the optimal pursuer; None where not everybody was captured.
+
+    Attributes
+    ----------
+    time : float or None
+        Survival time of the team against the person.
+    above : float or None
+        How far it is above the guarantee of the first plan.
+    share : float
+        Survival time against the optimal pursuer over that against the person: 1 is as good.
+    """
+
+    time: float | None
+    above: float | None
+    share: float
+
+
+class Round:
+    """A game that a person plays.
+
+    Raises
+    ------
+    InputError
+        If the team would be guaranteed to survive for too long.
+    """
+
+    def __init__(self, choices: Choices) -> None:
+        self._choices = choices
+        self.person = Person(UPDATE_TIME)
+        settings = Settings(choices.sensing, UPDATE_TIME, choices.seed, TIME_LIMIT)
+        self._match = Match(*choices.game(), choices.team_strategy(), self.person, settings)
+        guarantee = self._match.record().guarantee
+        if guarantee > LONGEST_GUARANTEE:
+            raise InputError(
+                f"choices: this team is sure to survive for {guarantee:.0f}, and more than "
+                f"{LONGEST_GUARANTEE:.0f} is too long to chase; take fewer or slower evaders"
+            )
+
+    @property
+    def over(self) -> bool:
+        """Whether everybody is captured, or the time limit is reached."""
+        return self._match.over
+
+    def play(self, updates: int) -> int:
+        """Play on for so many updates, or to the end; return how many it were."""
+        for played in range(updates):
+            if self.over:
+                return played
+            self._match.step()
+        return updates
+
+    def record(self) -> Game:
+        """Return what has happened until now."""
+        return self._match.record()
+
+    @cached_property
+    def optimal(self) -> Game:
+        """The game of the committed pursuer against the same team."""
+        team, disk = self._choices.game()
+        return simulate(
+            team,
+            disk,
+            evaders=self._choices.team_strategy(),
+            pursuer=CommittedPursuer(),
+            sensing=self._choices.sensing,
+            update_time=UPDATE_TIME,
+            seed=self._choices.seed,
+        )
+
+    def score(self) -> Score:
+        """Return the score of a game that is over."""
+        game = self.record()
+        if math.isinf(game.survival_time):
+            return Score(None, None, 0.0)
+        time = game.survival_time
+        # Both are 0 where everybody begins within the pursuer's reach.
+        share = self.optimal.survival_time / time if time > 0.0 else 1.0
+        return Score(time, time - game.guarantee, share)

@@ -1,0 +1,45 @@
+"""A record that somebody opens on the page: it may come from anywhere."""
+
+from __future__ import annotations
+
+import json
+from io import BytesIO
+
+from covey.model import InputError
+from covey.simulation.storage import read_game
+from covey.web.game_json import Json, film
+
+MOST_BYTES = 16 * 2**20
+MOST_NUMBERS = 10**7
+"""In the table once it is unpacked: a small file can hide a huge one."""
+
+
+def opened_film(content: bytes) -> Json:
+    """Return the film of the game in a file, or raise InputError that says why there is none."""
+    for kind, most, size in (
+        ("bytes", MOST_BYTES, len(content)),
+        ("numbers", MOST_NUMBERS, _numbers(content)),
+    ):
+        if size > most:
+            raise InputError(
+                f"record: expected at most {most} {kind}, got {size}; draw it with `covey draw`"
+            )
+    game = read_game(content, "record")
+    try:
+        result = film(game)
+        json.dumps([result, game.times[0]], allow_nan=False)  # no row, or a nan, is an error
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        raise InputError(f"record: it contradicts itself: {error}") from error
+    return result
+
+
+def _numbers(content: bytes) -> int:
+    """How many numbers the file says it has; 0 if it is no such file, which its reader will say."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    try:
+        metadata = pq.read_metadata(BytesIO(content))
+    except (pa.ArrowException, OSError):
+        return 0
+    return int(metadata.num_rows) * int(metadata.num_columns)

@@ -1,0 +1,135 @@
+"""Films: a camera that doesn't move, time at a constant rate, and files that play."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image, ImageSequence
+
+import covey
+from covey.views import animate
+from covey.views.film.animation import frame_times
+from covey.views.film.frames import Film
+from views.flown_games import SECOND_CAPTURE, game_by_hand, simulated
+
+
+def test_a_gif_plays_as_long_as_it_should(tmp_path):
+    calls = []
+    path = animate(
+        game_by_hand(),
+        tmp_path / "new" / "game.gif",
+        seconds=0.8,
+        fps=15,
+        progress=lambda *call: calls.append(call),
+    )
+    assert calls == [(k, 12) for k in range(1, 13)]
+    with Image.open(path) as film:
+        size, durations = film.size, [p.info["duration"] for p in ImageSequence.Iterator(film)]
+        assert film.info["loop"] == 0
+    assert len(durations) == 12
+    # 1/15 s isn't a whole number of hundredths: single frames are rounded, their sum is not.
+    assert set(durations[:-1]) <= {60, 70}
+    assert sum(durations) == 1800
+    assert size == Film(game_by_hand()).frame(0.0).shape[1::-1]
+    assert path.stat().st_size < 100_000
+
+
+def test_frames_are_even_in_time_and_end_with_the_game():
+    times = frame_times(game_by_hand(), 7.0, 20.0)
+    assert len(times) == 140
+    assert times[0] == 0.0
+    assert times[-1] == SECOND_CAPTURE
+    assert np.diff(times) == pytest.approx(np.full(139, SECOND_CAPTURE / 139))
+
+
+def test_the_camera_stands_still():
+    film = Film(simulated())
+    limits = film.axes.get_xlim(), film.axes.get_ylim()
+    times = frame_times(simulated(), 1.0, 6.0)
+    frames = [film.frame(time) for time in times]
+    assert (film.axes.get_xlim(), film.axes.get_ylim()) == limits
+    moving = np.any([frame != frames[0] for frame in frames[1:]], axis=(0, 3))
+    box = film.axes.get_window_extent()
+    height = moving.shape[0]
+    rows, columns = np.nonzero(moving)
+    # All that moves is within the map, or in the caption above it.
+    assert columns.min() >= round(box.x0)
+    assert rows.max() <= height - round(box.y0) + 1
+    assert moving[round(height - box.y1) : round(height - box.y0)].sum() > 1000
+    # A frame depends on its time alone.
+    assert (film.frame(times[2]) == frames[2]).all()
+    assert not film.axes.patches
+
+
+def test_the_caption_counts():
+    film = Film(game_by_hand())
+    film.frame(1.0)
+    caption = film.axes.get_title(loc="left")
+    assert caption.split("     ") == [
+        "t = 1.00",
+        f"guaranteed until {SECOND_CAPTURE:.2f}",
+        "captured 1 of 2",
+    ]
+
+
+@pytest.mark.parametrize("name", ["x.png", "x.avi", "x"])
+def test_other_endings_are_refused(tmp_path, name):
+    with pytest.raises(covey.InputError, match=r"\.gif, \.mp4"):
+        animate(game_by_hand(), tmp_path / name)
+
+
+@pytest.mark.parametrize("rates", [{"fps": 0}, {"fps": 60}, {"seconds": -1.0}])
+def test_rates_out_of_range_are_refused(tmp_path, rates):
+    with pytest.raises(covey.InputError, match=next(iter(rates))):
+        animate(game_by_hand(), tmp_path / "x.gif", **rates)
+
+
+def test_without_ffmpeg_an_mp4_says_what_to_install(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
+    with pytest.raises(covey.InputError, match=r"pip install 'covey\[video\]'"):
+        animate(game_by_hand(), tmp_path / "x.mp4")
+    assert list(tmp_path.iterdir()) == []
+
+
+class FakeFfmpeg:
+    """Takes frames as imageio_ffmpeg does, and breaks off after some of them if it should."""
+
+    def __init__(self, breaks_after=None):
+        self.breaks_after, self.frames, self.options = breaks_after, [], None
+
+    def write_frames(self, path, size, **options):
+        self.size, self.options = size, options
+        with Path(path).open("wb") as file:
+            while True:
+                try:
+                    frame = yield
+                except GeneratorExit:
+                    return
+                self.frames.append(frame)
+                file.write(frame[:10])
+                if len(self.frames) == self.breaks_after:
+                    raise OSError("ffmpeg broke")
+
+
+def test_an_mp4_gets_every_frame_and_holds_the_last(tmp_path, monkeypatch):
+    fake = FakeFfmpeg()
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", fake)
+    path = animate(game_by_hand(), tmp_path / "game.mp4", seconds=0.5, fps=8)
+    assert len(fake.frames) == 4 + 8
+    assert len(set(fake.frames[-9:])) == 1
+    width, height = fake.size
+    assert width % 2 == height % 2 == 0
+    assert {len(frame) for frame in fake.frames} == {3 * width * height}
+    assert fake.options["fps"] == 8
+    assert path.stat().st_size == 120
+
+
+def test_a_film_that_breaks_off_leaves_nothing_behind(tmp_path, monkeypatch):
+    fake = FakeFfmpeg(breaks_after=2)
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", fake)
+    with pytest.raises(OSError, match="ffmpeg broke"):
+        animate(game_by_hand(), tmp_path / "game.mp4", seconds=0.5, fps=8)
+    assert list(tmp_path.iterdir()) == []
