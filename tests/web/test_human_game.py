@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import covey
+from covey.web import human_game
 from covey.web.choices import Choices
 from covey.web.game_json import cast, picture
 from covey.web.human_game import LONGEST_GUARANTEE, UPDATE_TIME, Round

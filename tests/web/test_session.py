@@ -11,6 +11,7 @@ import pytest
 
 import covey
 from covey.simulation.storage import read_game
+from covey.web import upload
 from covey.web.game_json import MOST_PICTURES
 from covey.web.messages import MOST_CHARACTERS
 from covey.web.session import Session
