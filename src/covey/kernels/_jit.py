@@ -45,9 +45,12 @@ def inlined(function: Function) -> Function:
     return decorated
 
 
-def allocating(function: Function) -> Function:
-    """Compile a kernel that makes arrays: scratch for the others, or a record that grows."""
-    decorated: Function = numba.njit(cache=True, **_COMMON)(function)
+def expanded(function: Function) -> Function:
+    """Expand a kernel's code into each of its callers before they are compiled.
+
+    Without numba's runtime a compiled function can't return an array. An expanded one returns none.
+    """
+    decorated: Function = numba.njit(inline="always", **_COMMON, **_NO_ALLOCATION)(function)
     return decorated
 
 

@@ -3,7 +3,7 @@
 The pursuer has speed 1 and sees all. Turned, scaled and shifted, what matters is two-dimensional:
 with a and b the distances of the two, the balance χ = atan2(b, a) and the opening γ, the angle at
 which the pursuer sees them. The value is hypot(a, b) W(χ, γ), and by its gradients ∇₁ and ∇₂ along
-the two evaders' places
+the two evaders' situations
 
     1 - |∇₁ + ∇₂| + v₁ |∇₁| + v₂ |∇₂| = 0.
 
@@ -14,12 +14,25 @@ slopes of second order.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Table
+from covey.kernels.arrays import Floats
 
 _FIRST_HEADINGS, _HEADINGS, _ROUNDS = 32, 4, 14
 _NARROWER = 0.4
+
+
+class Grid(NamedTuple):
+    """Balances and openings of a grid, and the distances between neighbours there.
+
+    The grid is finer where both evaders are at one point.
+    """
+
+    balances: Floats
+    balance_steps: Floats
+    openings: Floats
+    opening_steps: Floats
 
 
 @compiled
@@ -47,7 +60,7 @@ def in_known_order(a: float, b: float, opening: float, first: float, second: flo
 
 
 @compiled
-def ceiling_at(a: float, b: float, opening: float, v1: float, v2: float) -> float:
+def upper_bound_at(a: float, b: float, opening: float, v1: float, v2: float) -> float:
     """Value if the pursuer announces the better order: no team can be sure of more."""
     if a == 0.0 or b == 0.0:
         return b / (1.0 - v2) if a == 0.0 else a / (1.0 - v1)
@@ -55,21 +68,23 @@ def ceiling_at(a: float, b: float, opening: float, v1: float, v2: float) -> floa
 
 
 @compiled
-def set_ceiling(balances: Floats, openings: Floats, v1: float, v2: float, ceiling: Table) -> None:
-    """Write the value of announcing the better order."""
+def set_upper_bound(grid: Grid, v1: float, v2: float, upper_bound: Floats) -> None:
+    """Write the value of announcing the better order, (balances, openings)."""
+    balances, openings = grid.balances, grid.openings
     last = len(balances) - 1
     for i in range(last + 1):
         a = math.cos(balances[i]) if i < last else 0.0
         b = math.sin(balances[i])
         for j in range(len(openings)):
-            ceiling[i, j] = ceiling_at(a, b, openings[j], v1, v2)
+            upper_bound[i, j] = upper_bound_at(a, b, openings[j], v1, v2)
 
 
 @compiled
-def set_ceilings(places: Table, v1: float, v2: float, ceilings: Floats) -> None:
-    """Write it for rows (a, b, opening)."""
-    for k in range(len(places)):
-        ceilings[k] = ceiling_at(places[k, 0], places[k, 1], places[k, 2], v1, v2)
+def set_upper_bounds(situations: Floats, v1: float, v2: float, upper_bounds: Floats) -> None:
+    """Write the value of announcing the better order for rows (a, b, opening)."""
+    for k in range(len(situations)):
+        a, b, opening = situations[k, 0], situations[k, 1], situations[k, 2]
+        upper_bounds[k] = upper_bound_at(a, b, opening, v1, v2)
 
 
 @inlined
@@ -111,9 +126,9 @@ def _slopes(
 ) -> tuple[float, float]:
     """Slopes a step to the left and to the right, of second order."""
     left, right = here - before, after - here
-    bend = right - left
-    left += 0.5 * _smaller(bend, left - before + before2)
-    right -= 0.5 * _smaller(bend, after2 - after - right)
+    curvature = right - left
+    left += 0.5 * _smaller(curvature, left - before + before2)
+    right -= 0.5 * _smaller(curvature, after2 - after - right)
     return left, right
 
 
@@ -126,21 +141,10 @@ def _reflected(j: int, last: int) -> int:
 
 
 @compiled
-def sweep(
-    values: Table,
-    ceiling: Table,
-    balances: Floats,
-    balance_steps: Floats,
-    openings: Floats,
-    opening_steps: Floats,
-    v1: float,
-    v2: float,
-) -> float:
-    """Sweep the grid in four directions; return the largest change.
-
-    The steps are the distances between neighbours there: the grid is finer where both evaders are
-    at one place.
-    """
+def sweep(values: Floats, upper_bound: Floats, grid: Grid, v1: float, v2: float) -> float:
+    """Sweep the values (balances, openings) in four directions; return the largest change."""
+    balances, balance_steps = grid.balances, grid.balance_steps
+    openings, opening_steps = grid.openings, grid.opening_steps
     most, last = len(balances) - 1, len(openings) - 1
     largest = 0.0
     for direction in range(4):
@@ -176,7 +180,7 @@ def sweep(
                     v2,
                 )
                 rate += 0.5 * across * (right - left) + 0.5 * along * (up - down)
-                new = min(here + rate / (across + along + 2.0), ceiling[i, j])
+                new = min(here + rate / (across + along + 2.0), upper_bound[i, j])
                 largest = max(largest, abs(new - here))
                 values[i, j] = new
     return largest

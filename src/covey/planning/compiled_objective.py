@@ -1,16 +1,16 @@
-"""From an objective to what the kernels aim at."""
+"""From an objective to the record that the kernels read."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from covey.kernels.maximum.objective import Aim
-from covey.kernels.maximum.working_set import Columns
+from covey.kernels.maximum.objective import Draws as CompiledDraws
+from covey.kernels.maximum.objective import Objective as CompiledObjective
 from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, TotalSurvival
 from covey.model.objectives import Draws, draws_of
 
 
-def aim_of(objective: Objective, count: int) -> Aim:
+def compiled_objective(objective: Objective, count: int) -> CompiledObjective:
     """Return an objective of `count` evaders as the kernels see it.
 
     Raises
@@ -19,10 +19,10 @@ def aim_of(objective: Objective, count: int) -> Aim:
         If it is an expectation of another team, or over too many sequences.
     """
     sequences, probabilities = _draws(objective, count)
-    return Aim(
+    return CompiledObjective(
         objective.measure == "total",
         isinstance(objective, ExpectedSurvival),
-        Columns(np.full(1, len(sequences)), sequences, probabilities),
+        CompiledDraws(np.full(1, len(sequences)), sequences, probabilities),
     )
 
 

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels.arrays import Pursuit
 from covey.kernels.capture.path import PATH, set_paths
+from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.capture.sequence import capture_times as sequence_times
-from covey.kernels.maximum.expected_value import expected_value
+from covey.kernels.maximum.problem import Problem
+from covey.kernels.maximum.values import mean_over_draws, minimum_over_sequences
 from covey.kernels.minimum.last_capture import MOST_EVADERS
-from covey.kernels.minimum.total_time import least_total, total_scratch
 from covey.model import (
     ExpectedSurvival,
     InputError,
@@ -24,8 +24,8 @@ from covey.model import (
     TotalSurvival,
 )
 from covey.model.validation import Floats, frozen_array, permutation
-from covey.planning.compiled_objective import aim_of, checked_objective
-from covey.planning.exact_minimum import exact_minimum
+from covey.planning.compiled_objective import checked_objective, compiled_objective
+from covey.planning.workspace import workspace
 
 
 @dataclass(frozen=True)
@@ -146,9 +146,8 @@ def guaranteed_survival(
     Notes
     -----
     The two inner minima of eq. (6), by dynamic programming over subsets (Held and Karp, 1962)
-    instead of N! sequences; memory 16 N 2^N bytes, from 19 evaders on, where two cores share the
-    work, 24 N 2^N bytes, 0.5 GB for 20. For the sum a state needs pairs of the time and the sum so
-    far, docs/decisions/0009; memory 24 N 2^N bytes.
+    instead of N! sequences; memory 16 N 2^N bytes. For the sum a state needs pairs of the time and
+    the sum so far, docs/decisions/0009; memory 40 N 2^N bytes.
     """
     check_game(team, disk)
     if isinstance(objective, ExpectedSurvival):
@@ -157,13 +156,11 @@ def guaranteed_survival(
             "guarantees nothing; expected_survival computes it"
         )
     n = len(team)
-    aim = aim_of(checked_objective(objective), n)
-    paths, pursuit = _paths(team, disk, turns), pursuit_of(disk)
-    if aim.total:
-        sequence = np.empty(n, np.int64)
-        value, _ = least_total(paths, n, pursuit, math.inf, sequence, total_scratch(n))
-    else:
-        value, sequence = exact_minimum(paths, n, pursuit)
+    total = checked_objective(objective).measure == "total"
+    paths, sequence = _paths(team, disk, turns), np.empty(n, np.int64)
+    value = minimum_over_sequences(
+        paths, pursuit_of(disk), total, math.inf, sequence, workspace(n, total)
+    )
     return Guarantee(value, tuple(sequence.tolist()))
 
 
@@ -195,10 +192,9 @@ def expected_survival(
     disk.require_faster_than(team)
     if not isinstance(objective, ExpectedSurvival):
         raise InputError(f"objective: expected ExpectedSurvival(...), got {objective!r}")
-    n = len(team)
-    return expected_value(
-        _paths(team, disk, turns), n, pursuit_of(disk), aim_of(objective, n), np.empty(n)
-    )
+    checked = frozen_array("turns", turns, (len(team),))
+    problem = Problem(team.as_rows(), pursuit_of(disk), compiled_objective(objective, len(team)))
+    return mean_over_draws(problem, checked, workspace(len(team)))
 
 
 def value_of_plan(

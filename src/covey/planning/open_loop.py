@@ -11,20 +11,21 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.kernels.maximum.initial_guesses import CANDIDATES
-from covey.kernels.maximum.sqp import CONVERGED, STALLED, STEPS_USED_UP
-from covey.kernels.maximum.working_set import Columns, make_columns
+from covey.kernels.maximum.objective import Draws
+from covey.kernels.maximum.problem import CONVERGED, STALLED, STEPS_USED_UP, Iterate, Problem
+from covey.kernels.maximum.working_set import WorkingSet, new_working_set
 from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, PursuerDisk, Team
 from covey.model.angles import wrap_angle
 from covey.model.validation import Floats, frozen_array, number, whole_number
-from covey.planning.compiled_objective import aim_of, checked_objective
-from covey.planning.guarantee import check_game, guaranteed_survival
-from covey.planning.multistart import Multistart
+from covey.planning.compiled_objective import checked_objective, compiled_objective
+from covey.planning.guarantee import check_game, guaranteed_survival, pursuit_of
+from covey.planning.multistart import NONE, Ascents, Search
 
 DEFAULT_STARTS = 32
 """Starts of the first plan of a game that is played; `plan` by itself follows `default_starts`."""
 DEFAULT_TOLERANCE = 1e-9
-SIDE_BY_SIDE = 9
-"""From this many evaders on, starts are followed on several cores: each takes milliseconds."""
+PARALLEL = 9
+"""From this many evaders on, ascents run in parallel: each takes milliseconds."""
 CRITICAL_WITHIN = 1e-6
 """Sequences within this of the guaranteed time, relative, count as critical."""
 
@@ -61,7 +62,7 @@ class Plan:
     objective : LastCapture or TotalSurvival or ExpectedSurvival
         What the plan makes large.
     value : float
-        What it makes of it, exactly: for the last capture, the `survival_time`.
+        Exact value of `objective` at these turns; `survival_time` where that is `LastCapture`.
     critical_sequences : tuple of tuple of int
         Capture sequences that attain the value, or come within 1e-6 of it, relative, as far as the
         search met them; the worst first. For an expectation, the sequences that it runs over.
@@ -150,20 +151,30 @@ def plan(
         number("time_limit", time_limit, low=0.0)
     n = len(team)
     starts = default_starts(n) if starts is None else whole_number("starts", starts, low=1)
-    late = math.inf if time_limit is None else time.perf_counter() + time_limit
-    aim = aim_of(checked_objective(objective), n)
-    search = Multistart(team, disk, aim, tolerance)
-    if warm_start is not None:
-        search.go_on_from(*_start_of(warm_start, team))
-        starts -= 1
-    noise = start_noise(seed, starts, n)
-    if late < math.inf or (n >= SIDE_BY_SIDE and starts > 1):
-        in_time = search.follow_side_by_side(noise, starts, late)
+    deadline = math.inf if time_limit is None else time.perf_counter() + time_limit
+    compiled = compiled_objective(checked_objective(objective), n)
+    problem = Problem(team.as_rows(), pursuit_of(disk), compiled)
+    warm = None if warm_start is None else _iterate_of(warm_start, team)
+    guesses = starts - (warm is not None)
+    search = Search(problem, tolerance, guess_uniforms(seed, guesses, n))
+    best = _best_of(search, warm, guesses, deadline)
+    if isinstance(objective, ExpectedSurvival):
+        critical = _drawn(problem.objective.draws)
     else:
-        in_time = True
-        search.follow_all(noise, starts)
-    search.finish()
-    return _plan_of(search, team, disk, objective, in_time)
+        critical = _critical(best)
+    return _plan_of(team, disk, objective, best, critical)
+
+
+def _best_of(search: Search, warm: Iterate | None, guesses: int, deadline: float) -> Ascents:
+    """Return the best of an ascent from the warm start, if any, and from initial guesses."""
+    best = NONE if warm is None else search.refine(warm)
+    if guesses > 0:
+        search.insert(best)
+        if deadline < math.inf or (guesses > 1 and search.size >= PARALLEL):
+            best = search.run_parallel(best, guesses, deadline)
+        else:
+            best = best.joined(search.run(0, guesses))
+    return search.finish(best)
 
 
 def default_starts(n: int) -> int:
@@ -178,58 +189,57 @@ def default_starts(n: int) -> int:
     return 56 if n in (4, 5) else 100
 
 
+def guess_uniforms(seed: int, guesses: int, n: int) -> Floats:
+    """Return the random numbers in [-1, 1] that make `guesses` initial guesses for n evaders."""
+    whole_number("seed", seed, low=0)
+    if guesses <= 1:
+        return np.empty((0, n))
+    return np.random.default_rng(seed).uniform(-1.0, 1.0, (CANDIDATES * (guesses - 1), n))
+
+
+def working_set_of(plan: Plan) -> WorkingSet:
+    """Return the plan's critical sequences as the working set of a warm ascent."""
+    working_set = new_working_set(len(plan.turns))
+    if isinstance(plan.objective, ExpectedSurvival):
+        return working_set
+    count = min(len(plan.weights), len(working_set.weights))
+    working_set.used[0] = count
+    working_set.sequences[:count] = plan.critical_sequences[:count]
+    working_set.weights[:count] = plan.weights[:count]
+    return working_set
+
+
+Weighted = list[tuple[tuple[int, ...], float]]
+"""Capture sequences with their weights."""
+
+
 def _plan_of(
-    search: Multistart, team: Team, disk: PursuerDisk, objective: Objective, in_time: bool
+    team: Team, disk: PursuerDisk, objective: Objective, best: Ascents, critical: Weighted
 ) -> Plan:
-    assert search.best is not None
-    best, survival_time = search.best, search.best.value
+    turns, survival_time = best.iterate.turns, best.value
     if not isinstance(objective, LastCapture):
-        survival_time = guaranteed_survival(team, disk, best.turns).time
-    if isinstance(objective, ExpectedSurvival):
-        held = _drawn(search.draws)
-    else:
-        held = _held(best.columns, best.values, best.value)
+        survival_time = guaranteed_survival(team, disk, turns).time
     return Plan(
-        turns=_read_only(best.turns),
-        goal_headings=_read_only(wrap_angle(team.headings + best.turns)),
+        turns=_read_only(turns),
+        goal_headings=_read_only(wrap_angle(team.headings + turns)),
         survival_time=survival_time,
         objective=objective,
         value=best.value,
-        critical_sequences=tuple(sequence for sequence, _ in held),
-        weights=tuple(weight for _, weight in held),
-        status=_STATUS[best.ended] if in_time else PlanStatus.TIME_LIMIT,
-        starts=search.done,
-        steps=search.steps,
-        interceptions=search.interceptions,
+        critical_sequences=tuple(sequence for sequence, _ in critical),
+        weights=tuple(weight for _, weight in critical),
+        status=_STATUS[best.status] if best.in_time else PlanStatus.TIME_LIMIT,
+        starts=best.starts,
+        steps=best.steps,
+        interceptions=best.interceptions,
     )
 
 
-def start_noise(seed: int, starts: int, n: int) -> Floats:
-    """Return the random numbers in [-1, 1] that lay out `starts` starts for n evaders."""
-    whole_number("seed", seed, low=0)
-    if starts <= 1:
-        return np.empty((0, n))
-    return np.random.default_rng(seed).uniform(-1.0, 1.0, (CANDIDATES * (starts - 1), n))
-
-
-def columns_of(plan: Plan) -> Columns:
-    """Return the plan's critical sequences as the columns that a warm ascent starts with."""
-    columns = make_columns(len(plan.turns))
-    if isinstance(plan.objective, ExpectedSurvival):
-        return columns
-    count = min(len(plan.weights), len(columns.weights))
-    columns.used[0] = count
-    columns.sequences[:count] = plan.critical_sequences[:count]
-    columns.weights[:count] = plan.weights[:count]
-    return columns
-
-
-def _start_of(warm_start: Plan | npt.ArrayLike, team: Team) -> tuple[Floats, Columns]:
-    """The turns of a warm start, and the columns that come with them."""
+def _iterate_of(warm_start: Plan | npt.ArrayLike, team: Team) -> Iterate:
+    """Return the turns of a warm start, and the working set of a plan."""
     turns = _turns_of(warm_start, team)
-    return turns, columns_of(warm_start) if isinstance(warm_start, Plan) else make_columns(
-        len(team)
-    )
+    if isinstance(warm_start, Plan):
+        return Iterate(turns, working_set_of(warm_start))
+    return Iterate(turns, new_working_set(len(team)))
 
 
 def _turns_of(warm_start: Plan | npt.ArrayLike, team: Team) -> Floats:
@@ -242,22 +252,23 @@ def _turns_of(warm_start: Plan | npt.ArrayLike, team: Team) -> Floats:
     return np.where(team.turn_rates > 0.0, checked, 0.0)
 
 
-def _drawn(draws: Columns) -> list[tuple[tuple[int, ...], float]]:
-    """The sequences of an expectation with their probabilities, the likeliest first."""
-    rows = zip(map(tuple, draws.sequences.tolist()), draws.weights.tolist(), strict=True)
+def _drawn(draws: Draws) -> Weighted:
+    """Return the sequences of an expectation with their probabilities, the likeliest first."""
+    rows = zip(map(tuple, draws.sequences.tolist()), draws.probabilities.tolist(), strict=True)
     return sorted((row for row in rows if row[1] > 0.0), key=lambda row: -row[1])
 
 
-def _held(columns: Columns, values: Floats, value: float) -> list[tuple[tuple[int, ...], float]]:
-    """The columns that attain the value, the worst one first, with their weights."""
-    count = len(values)
+def _critical(best: Ascents) -> Weighted:
+    """Return the sequences that attain the value, the worst first, with their multipliers."""
+    working_set = best.iterate.working_set
+    count = int(working_set.used[0])
     rows = zip(
-        values.tolist(),
-        map(tuple, columns.sequences[:count].tolist()),
-        columns.weights[:count].tolist(),
+        working_set.values[:count].tolist(),
+        map(tuple, working_set.sequences[:count].tolist()),
+        working_set.weights[:count].tolist(),
         strict=True,
     )
-    latest = value * (1.0 + CRITICAL_WITHIN)
+    latest = best.value * (1.0 + CRITICAL_WITHIN)
     return [(sequence, weight) for each, sequence, weight in sorted(rows) if each <= latest]
 
 

@@ -2,7 +2,7 @@
 
 A path is a row of `PATH` numbers that the other kernels read; `set_paths` writes it. Time counts
 from the moment of planning. The straight part is stored as a line extended back to time 0, so that
-the commonest question, where is the evader at t, costs two multiplications.
+the position at t, which is asked most often, costs two multiplications.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Table
+from covey.kernels.arrays import Floats
 
 # An evader is a row (x, y, heading, speed, turn rate).
 X, Y, HEADING, SPEED, TURN_RATE = range(5)
@@ -28,11 +28,22 @@ PATH = 15
 
 
 @compiled
-def set_paths(evaders: Table, turns: Floats, pursuer_speed: float, paths: Table) -> None:
+def set_paths(evaders: Floats, turns: Floats, pursuer_speed: float, paths: Floats) -> None:
     """Write, for each evader, the path that turns by a signed angle and then flies straight.
 
-    An evader that can't turn (rate 0) flies straight whatever its turn says; an infinite rate turns
+    An evader that can't turn (rate 0) flies straight, whatever its turn is. An infinite rate turns
     at once.
+
+    Parameters
+    ----------
+    evaders
+        (n, EVADER) rows of position, heading, speed and turn rate.
+    turns
+        (n,) signed turns, radians.
+    pursuer_speed
+        v_p.
+    paths
+        (n, PATH) modified in place.
     """
     for i in range(len(turns)):
         heading, speed, rate = evaders[i, HEADING], evaders[i, SPEED], evaders[i, TURN_RATE]
@@ -65,8 +76,8 @@ def set_paths(evaders: Table, turns: Floats, pursuer_speed: float, paths: Table)
 
 
 @inlined
-def position(paths: Table, i: int, time: float) -> tuple[float, float]:
-    """Where evader i is at `time`."""
+def position(paths: Floats, i: int, time: float) -> tuple[float, float]:
+    """The position of evader i at `time`."""
     if time >= paths[i, TURN_END]:
         return (
             paths[i, LINE_X] + paths[i, VELOCITY_X] * time,
@@ -82,15 +93,15 @@ def position(paths: Table, i: int, time: float) -> tuple[float, float]:
 
 
 @compiled
-def sample(paths: Table, times: Floats, places: Floats) -> None:
-    """Write where every evader is at each of the `times`, to `places` (times, evaders, 2)."""
+def sample(paths: Floats, times: Floats, positions: Floats) -> None:
+    """Write the position of every evader at each of the `times`, to (times, evaders, 2)."""
     for k in range(len(times)):
         for i in range(len(paths)):
-            places[k, i, 0], places[k, i, 1] = position(paths, i, times[k])
+            positions[k, i, 0], positions[k, i, 1] = position(paths, i, times[k])
 
 
 @inlined
-def velocity(paths: Table, i: int, time: float) -> tuple[float, float]:
+def velocity(paths: Floats, i: int, time: float) -> tuple[float, float]:
     """The velocity of evader i at `time`."""
     if time >= paths[i, TURN_END]:
         return paths[i, VELOCITY_X], paths[i, VELOCITY_Y]

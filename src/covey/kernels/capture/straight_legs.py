@@ -1,48 +1,44 @@
 """Captures on the straight parts of many paths at once, in the processor's vector registers.
 
-Eight captures cost what one costs in a loop that asks for each evader in turn; they are the same to
-the last bit. What happens during a turn is left to `interception`.
+Eight captures cost what one capture costs in a loop over evaders, with the same bits. Captures
+during a turn are left to `interception`.
 """
 
 from __future__ import annotations
 
 import math
 
-import numpy as np
-
-from covey.kernels._jit import allocating, compiled, inlined
-from covey.kernels.arrays import Floats, Table
+from covey.kernels._jit import compiled, expanded, inlined
+from covey.kernels.arrays import Floats, Workspace, float_rows
 from covey.kernels.capture.path import CLOSING, LINE_X, LINE_Y, TURN_END, VELOCITY_X, VELOCITY_Y
+from covey.kernels.capture.pursuit import GrowingDisk
 
-KNOTS = 5
-
-# Rows of the table of lines; a column is an evader. Then x and y of the knots.
+# Rows of the table of lines; a column is an evader.
 _X, _Y, _VELOCITY_X, _VELOCITY_Y, _CLOSING, _TURN_END = range(6)
-_LANES = 4  # in a register: the table is filled up to a multiple of it
+_LANES = 4  # in a register: the table has a multiple of that many columns
 
 
-@compiled
+@inlined
 def padded(n: int) -> int:
-    """How many columns a table of n evaders has."""
+    """Return how many columns a table of n evaders has."""
     return (n + _LANES - 1) // _LANES * _LANES
 
 
-@allocating
-def make_lines(n: int) -> Table:
-    """Allocate the table of lines of up to n evaders; those that fill it up do no harm."""
-    lines = np.zeros((6, padded(n)))
-    lines[_CLOSING] = 1.0
-    return lines
+@expanded
+def lines_table(workspace: Workspace, n: int) -> Floats:
+    """Carve the table of lines of up to n evaders (6, padded(n))."""
+    return float_rows(workspace, 6, padded(n))
 
 
 @compiled
-def set_lines(paths: Table, n: int, lines: Table) -> None:
-    """Write the lines of n paths."""
-    for i in range(n):
-        lines[_X, i], lines[_Y, i] = paths[i, LINE_X], paths[i, LINE_Y]
-        lines[_VELOCITY_X, i] = paths[i, VELOCITY_X]
-        lines[_VELOCITY_Y, i] = paths[i, VELOCITY_Y]
-        lines[_CLOSING, i], lines[_TURN_END, i] = paths[i, CLOSING], paths[i, TURN_END]
+def set_lines(paths: Floats, lines: Floats) -> None:
+    """Write the lines of all paths; the columns that pad the table stand still."""
+    n = len(paths)
+    for i in range(padded(n)):
+        line = paths[min(i, n - 1)]
+        lines[_X, i], lines[_Y, i] = line[LINE_X], line[LINE_Y]
+        lines[_VELOCITY_X, i], lines[_VELOCITY_Y, i] = line[VELOCITY_X], line[VELOCITY_Y]
+        lines[_CLOSING, i], lines[_TURN_END, i] = line[CLOSING], line[TURN_END]
 
 
 @inlined
@@ -52,21 +48,19 @@ def capture_on_line(
     velocity_x: float,
     velocity_y: float,
     closing: float,
-    x: float,
-    y: float,
-    radius: float,
-    start: float,
-    pursuer_speed: float,
+    disk: GrowingDisk,
 ) -> float:
-    """Time of capture of an evader that has always flown its line; `start` if it is in the disk.
+    """Return when an evader that has always flown its line is captured.
 
-    Positive root of (v_p^2 - v^2) s^2 - 2 b s - outside = 0, without cancellation. Written without
-    branches, so that the compiler can take several evaders at a time.
+    Positive root of (v_p^2 - v^2) s^2 - 2 b s - outside = 0, without cancellation; `disk.time`
+    where the evader is in the disk. Written without branches, so that the compiler can take several
+    evaders at a time.
     """
-    gap_x = line_x + velocity_x * start - x
-    gap_y = line_y + velocity_y * start - y
+    start, radius = disk.time, disk.radius
+    gap_x = line_x + velocity_x * start - disk.x
+    gap_y = line_y + velocity_y * start - disk.y
     outside = gap_x * gap_x + gap_y * gap_y - radius * radius
-    b = gap_x * velocity_x + gap_y * velocity_y - pursuer_speed * radius
+    b = gap_x * velocity_x + gap_y * velocity_y - disk.speed * radius
     root = math.sqrt(b * b + outside * closing)
     above = b + root if b > 0.0 else outside
     below = closing if b > 0.0 else root - b
@@ -74,56 +68,34 @@ def capture_on_line(
 
 
 @inlined
-def captures_on_lines(
-    lines: Table,
-    n: int,
-    x: float,
-    y: float,
-    radius: float,
-    start: float,
-    pursuer_speed: float,
-    times: Floats,
-) -> None:
-    """Write `capture_on_line` for each evader; one before the end of a turn is no capture yet."""
-    for i in range(padded(n)):
+def captures_on_lines(lines: Floats, disk: GrowingDisk, times: Floats) -> None:
+    """Write `capture_on_line` for each column; a time before the end of a turn is no capture."""
+    for i in range(len(times)):
         times[i] = capture_on_line(
             lines[_X, i],
             lines[_Y, i],
             lines[_VELOCITY_X, i],
             lines[_VELOCITY_Y, i],
             lines[_CLOSING, i],
-            x,
-            y,
-            radius,
-            start,
-            pursuer_speed,
+            disk,
         )
 
 
 @inlined
-def latest_departures(
-    lines: Table,
-    n: int,
-    x: float,
-    y: float,
-    radius: float,
-    arrival: float,
-    pursuer_speed: float,
-    slack: float,
-    departures: Floats,
-) -> None:
-    """Raise `departures` to the latest times from which (x, y) is in reach at `arrival`.
+def latest_departures(lines: Floats, goal: GrowingDisk, slack: float, departures: Floats) -> None:
+    """Raise `departures` to the latest times, plus `slack`, from which the goal is in reach.
 
-    Root of |(x, y) - x_j(t)| = v_p (arrival - t) + radius, eq. (7) run backwards; where the evader
-    is still turning then, the end of its turn.
+    The goal is to be reached at `goal.time`. Root of |(x, y) - x_j(t)| = v_p (time - t) + radius,
+    eq. (7) run backwards; where the evader is still turning then, the end of its turn.
     """
-    for j in range(padded(n)):
+    arrival, radius = goal.time, goal.radius
+    for j in range(len(departures)):
         velocity_x, velocity_y = lines[_VELOCITY_X, j], lines[_VELOCITY_Y, j]
         closing, turn_end = lines[_CLOSING, j], lines[_TURN_END, j]
-        gap_x = x - lines[_X, j] - velocity_x * arrival
-        gap_y = y - lines[_Y, j] - velocity_y * arrival
+        gap_x = goal.x - lines[_X, j] - velocity_x * arrival
+        gap_y = goal.y - lines[_Y, j] - velocity_y * arrival
         outside = gap_x * gap_x + gap_y * gap_y - radius * radius
-        b = gap_x * velocity_x + gap_y * velocity_y - pursuer_speed * radius
+        b = gap_x * velocity_x + gap_y * velocity_y - goal.speed * radius
         root = math.sqrt(b * b + outside * closing)
         above = b + root if b > 0.0 else outside
         below = closing if b > 0.0 else root - b

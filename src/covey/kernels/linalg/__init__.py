@@ -1,1 +1,4 @@
-"""Linear algebra of a few variables; it knows of no game."""
+"""Linear algebra and quadratic programming of a few variables; they know of no game.
+
+Read `symmetric`, then `quadratic_program`.
+"""

@@ -1,10 +1,11 @@
-"""The quadratic programme of one step: maximise the least of a few linear models, less a penalty.
+"""The quadratic programme of one step: maximise the minimum of linear models, less a penalty.
 
-    maximise  z - d'Bd / 2   subject to  z <= f_s + g_s'd  for each s,   low <= d <= high.
+    maximise  z - d'Bd / 2   subject to  z <= f_s + g_s'd  for each s,   lower <= d <= upper.
 
-A dual active-set method (Goldfarb and Idnani, 1983) on its few variables: start from the maximiser
-for one model alone, add the constraint that is violated most, drop those whose multiplier would
-turn negative. The variable z has no curvature; the multipliers of the models sum to one instead.
+A dual active-set method (Goldfarb and Idnani, 1983) on few variables. It starts from the maximiser
+for one model alone, adds the constraint that is violated most, and drops constraints whose
+multiplier would turn negative. The variable z has no curvature: instead, the multipliers of the
+models sum to one.
 """
 
 from __future__ import annotations
@@ -12,12 +13,28 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-
-from covey.kernels._jit import allocating, compiled, inlined
-from covey.kernels.arrays import Floats, Ints
+from covey.kernels._jit import compiled, inlined
+from covey.kernels.arrays import Floats, Ints, Workspace, float_rows, floats, ints
 
 _TINY = 1e-14
+
+
+class QuadraticProgram(NamedTuple):
+    """The data of a programme of n variables and m models."""
+
+    values: Floats  # (m,) f_s
+    gradients: Floats  # (m, n) g_s, or more rows and columns
+    factor: Floats  # (n, n) Cholesky factor of B as `cholesky` writes it, or larger
+    linear: Floats  # (n,) linear term of the objective, added to the models' gradients
+    lower: Floats  # (n,)
+    upper: Floats  # (n,)
+
+
+class Solution(NamedTuple):
+    """Where a programme is solved. Both are modified in place."""
+
+    step: Floats  # (n,) d
+    multipliers: Floats  # (m,) of the models, >= 0, summing to one
 
 
 class QuadraticScratch(NamedTuple):
@@ -32,74 +49,91 @@ class QuadraticScratch(NamedTuple):
     combined: Floats  # (n,) sum of multipliers times whitened
 
 
-@allocating
-def quadratic_scratch(n: int, m: int) -> QuadraticScratch:
-    """Allocate the scratch of `solve_quadratic`."""
+@inlined
+def quadratic_scratch(workspace: Workspace, n: int, m: int) -> QuadraticScratch:
+    """Carve the scratch of `solve_quadratic` for n variables and m models."""
     return QuadraticScratch(
-        np.empty((m + 2 * n, n)),
-        np.empty(n + 2, np.int64),
-        np.empty(n + 2),
-        np.empty((n + 2, n + 2)),
-        np.empty(n + 2),
-        np.empty(n + 2),
-        np.empty(n),
+        float_rows(workspace, m + 2 * n, n),
+        ints(workspace, n + 2),
+        floats(workspace, n + 2),
+        float_rows(workspace, n + 2, n + 2),
+        floats(workspace, n + 2),
+        floats(workspace, n + 2),
+        floats(workspace, n),
     )
+
+
+class _ActiveSet(NamedTuple):
+    """How many constraints are active, and z."""
+
+    size: int
+    z: float
 
 
 @compiled
 def solve_quadratic(
-    n: int,
-    m: int,
-    values: Floats,
-    gradients: Floats,
-    factor: Floats,
-    pull: Floats,
-    low: Floats,
-    high: Floats,
-    step: Floats,
-    weights: Floats,
-    scratch: QuadraticScratch,
+    program: QuadraticProgram, solution: Solution, scratch: QuadraticScratch
 ) -> float:
-    """Write the maximising `step` and the models' multipliers `weights`; return z.
+    """Solve the programme; return z.
 
-    `factor` is the Cholesky factor of B as `factorise` writes it. The constraints are the models
-    0..m-1, then the lower bounds, then the upper ones.
+    Constraints are numbered: the models 0 to m - 1, then the n lower bounds, then the n upper ones.
+
+    1. Start with the model of the least value active alone, at its unconstrained maximiser.
+    2. Find the constraint that is violated most; end if there is none.
+    3. Activate it, which drops constraints whose multiplier comes to zero; repeat from 2.
+
+    Parameters
+    ----------
+    program
+        The data; not modified.
+    solution
+        (n,) step and (m,) multipliers; modified in place.
+    scratch
+        With room for n variables and m models; modified in place.
+
+    Returns
+    -------
+    float
+        z, the minimum of the models at the step.
     """
-    whitened, active, multipliers = scratch.whitened, scratch.active, scratch.multipliers
-    for s in range(m):
-        _forward(factor, n, gradients[s], whitened[s])
-    first = 0
-    for s in range(m):
-        weights[s] = 0.0
-        if values[s] < values[first]:
-            first = s
-    active[0], multipliers[0], count = first, 1.0, 1
-    combined = scratch.combined
-    _forward(factor, n, pull, combined)
-    for i in range(n):
-        combined[i] += whitened[first, i]
-    least = values[first] + _dot(whitened[first], combined, n)
-
+    n, m = len(program.lower), len(program.values)
+    step = solution.step
+    active = _start(program, scratch)
     for _ in range(20 + 8 * n):
-        _backward(factor, n, combined, step)
-        added, violation = _most_violated(
-            n, m, values, whitened, combined, step, low, high, active, count, least
-        )
+        _backward(program.factor, n, scratch.combined, step)
+        added, violation = _most_violated(program, step, active, scratch)
         if added < 0:
             break
         if added >= m:
-            _unit_whitened(factor, n, m, added, whitened[added])
-        count, least = _activate(n, m, added, violation, count, least, scratch)
-    for k in range(count):
-        if active[k] < m:
-            weights[active[k]] = multipliers[k]
-    for i in range(n):
-        step[i] = min(max(step[i], low[i]), high[i])
-    # What the steps added up to is rounded by the size of the multipliers; the models aren't.
-    least = math.inf
+            _unit_whitened(program.factor, n, m, added, scratch.whitened[added])
+        active = _activate(n, m, added, violation, active, scratch)
     for s in range(m):
-        least = min(least, values[s] + _dot(gradients[s], step, n))
-    return least
+        solution.multipliers[s] = 0.0
+    for k in range(active.size):
+        if scratch.active[k] < m:
+            solution.multipliers[scratch.active[k]] = scratch.multipliers[k]
+    for i in range(n):
+        step[i] = min(max(step[i], program.lower[i]), program.upper[i])
+    # The sum of all steps is rounded by the size of the multipliers; the models aren't.
+    z = math.inf
+    for s in range(m):
+        z = min(z, program.values[s] + _dot(program.gradients[s], step, n))
+    return z
+
+
+@inlined
+def _start(program: QuadraticProgram, scratch: QuadraticScratch) -> _ActiveSet:
+    """Whiten the models, and activate the model of the least value."""
+    n, whitened, combined, first = len(program.lower), scratch.whitened, scratch.combined, 0
+    for s in range(len(program.values)):
+        _forward(program.factor, n, program.gradients[s], whitened[s])
+        if program.values[s] < program.values[first]:
+            first = s
+    scratch.active[0], scratch.multipliers[0] = first, 1.0
+    _forward(program.factor, n, program.linear, combined)
+    for i in range(n):
+        combined[i] += whitened[first, i]
+    return _ActiveSet(1, program.values[first] + _dot(whitened[first], combined, n))
 
 
 @compiled
@@ -108,53 +142,97 @@ def _activate(
     m: int,
     added: int,
     violation: float,
-    count: int,
-    least: float,
+    active_set: _ActiveSet,
     scratch: QuadraticScratch,
-) -> tuple[int, float]:
+) -> _ActiveSet:
     """Raise the multiplier of constraint `added` until it holds; drop those that come to zero.
 
-    Returns the number of active constraints and z.
+    1. The direction in which the active multipliers move keeps the active constraints active.
+    2. The full step makes the added constraint hold. A partial step ends where an active multiplier
+       comes to zero.
+    3. After a partial step its constraint is dropped, and a new direction follows.
+
+    Parameters
+    ----------
+    n, m
+        Numbers of variables and of models.
+    added
+        The constraint, whose whitened row is in `scratch`.
+    violation
+        Its slack, < 0.
+    active_set
+        Before.
+    scratch
+        Active constraints, multipliers and combined row are modified in place.
+
+    Returns
+    -------
+    _ActiveSet
+        After. The constraint is left out where it depends on the active ones: nothing is gained.
     """
     whitened, active, multipliers = scratch.whitened, scratch.active, scratch.multipliers
-    direction, combined = scratch.direction, scratch.combined
-    raised, is_model = 0.0, 1.0 if added < m else 0.0
+    count, z = active_set.size, active_set.z
+    raised = 0.0
     while count < n + 2:
-        models = 0
-        for k in range(count):
-            models += active[k] < m
-        if models == 0 and added < m:
-            least += violation  # no model holds z any more: lower it to the one that is added
+        if added < m and not _holds_model(m, active, count):
+            z += violation  # no model holds z any more: lower z to the model that is added
             break
-        slope = _direction(n, m, added, is_model, count, scratch)
-        curvature = -is_model * slope
-        for k in range(count):
-            curvature += direction[k] * _dot(whitened[added], whitened[active[k]], n)
-        own = _dot(whitened[added], whitened[added], n)
-        curvature += own
+        slope, curvature, own = _direction_and_curvature(n, m, added, count, scratch)
         full = -violation / curvature if curvature > _TINY * own else math.inf
-        partial, dropped = math.inf, -1
-        for k in range(count):
-            if direction[k] < 0.0 and -multipliers[k] / direction[k] < partial:
-                partial, dropped = -multipliers[k] / direction[k], k
+        partial, dropped = _first_to_vanish(count, scratch)
         length = min(full, partial)
         if length == math.inf:
-            return count, least  # dependent constraints: nothing left to gain
+            return _ActiveSet(count, z)
         raised += length
-        least += length * slope
+        z += length * slope
         violation += length * curvature
         for i in range(n):
-            combined[i] += length * whitened[added, i]
+            scratch.combined[i] += length * whitened[added, i]
         for k in range(count):
-            multipliers[k] += length * direction[k]
+            multipliers[k] += length * scratch.direction[k]
             for i in range(n):
-                combined[i] += length * direction[k] * whitened[active[k], i]
+                scratch.combined[i] += length * scratch.direction[k] * whitened[active[k], i]
         if full <= partial:
             break
         count -= 1
         active[dropped], multipliers[dropped] = active[count], multipliers[count]
     active[count], multipliers[count] = added, raised
-    return count + 1, least
+    return _ActiveSet(count + 1, z)
+
+
+@inlined
+def _holds_model(m: int, active: Ints, count: int) -> bool:
+    """Whether a model is among the active constraints."""
+    models = 0
+    for k in range(count):
+        models += active[k] < m
+    return models > 0
+
+
+@inlined
+def _direction_and_curvature(
+    n: int, m: int, added: int, count: int, scratch: QuadraticScratch
+) -> tuple[float, float, float]:
+    """Write the direction; return the slopes of z and of the violation, and the row's square."""
+    whitened, is_model = scratch.whitened, 1.0 if added < m else 0.0
+    slope = _direction(n, m, added, is_model, count, scratch)
+    curvature = -is_model * slope
+    for k in range(count):
+        curvature += scratch.direction[k] * _dot(whitened[added], whitened[scratch.active[k]], n)
+    own = _dot(whitened[added], whitened[added], n)
+    return slope, curvature + own, own
+
+
+@inlined
+def _first_to_vanish(count: int, scratch: QuadraticScratch) -> tuple[float, int]:
+    """Return the step at which the first active multiplier comes to zero, and whose it is."""
+    partial, dropped = math.inf, -1
+    for k in range(count):
+        if scratch.direction[k] < 0.0:
+            step = -scratch.multipliers[k] / scratch.direction[k]
+            if step < partial:
+                partial, dropped = step, k
+    return partial, dropped
 
 
 @compiled
@@ -195,36 +273,29 @@ def _direction(
     return shift + kappa * is_model
 
 
-@compiled
+@inlined
 def _most_violated(
-    n: int,
-    m: int,
-    values: Floats,
-    whitened: Floats,
-    combined: Floats,
-    step: Floats,
-    low: Floats,
-    high: Floats,
-    active: Ints,
-    count: int,
-    least: float,
+    program: QuadraticProgram, step: Floats, active_set: _ActiveSet, scratch: QuadraticScratch
 ) -> tuple[int, float]:
-    """The constraint that is violated most and by how much, (-1, 0) if all hold."""
-    worst, added = -_TINY * (1.0 + abs(least)), -1
+    """Return the constraint that is violated most and its slack; (-1, ...) if all hold."""
+    n, m, active, count = len(step), len(program.values), scratch.active, active_set.size
+    worst, added = -_TINY * (1.0 + abs(active_set.z)), -1
     for s in range(m):
-        slack = values[s] + _dot(whitened[s], combined, n) - least
-        if slack < worst and not _holds(s, active, count):
+        value = program.values[s] + _dot(scratch.whitened[s], scratch.combined, n)
+        slack = value - active_set.z
+        if slack < worst and not _is_active(s, active, count):
             worst, added = slack, s
     for i in range(n):
-        slack = min(step[i] - low[i], high[i] - step[i])
-        bound = m + i if step[i] - low[i] < high[i] - step[i] else m + n + i
-        if slack < worst and not _holds(bound, active, count):
+        below, above = step[i] - program.lower[i], program.upper[i] - step[i]
+        slack = min(below, above)
+        bound = m + i if below < above else m + n + i
+        if slack < worst and not _is_active(bound, active, count):
             worst, added = slack, bound
     return added, worst
 
 
 @inlined
-def _holds(constraint: int, active: Ints, count: int) -> bool:
+def _is_active(constraint: int, active: Ints, count: int) -> bool:
     for k in range(count):
         if active[k] == constraint:
             return True
@@ -273,7 +344,7 @@ def _backward(factor: Floats, n: int, right: Floats, out: Floats) -> None:
 
 @compiled
 def _factorise_gram(gram: Floats, count: int) -> None:
-    """Cholesky factor as of `factorise`; a row that depends on the others is disabled."""
+    """Cholesky factor as of `cholesky`; a row that depends on the others is disabled."""
     for j in range(count):
         pivot = gram[j, j]
         for k in range(j):

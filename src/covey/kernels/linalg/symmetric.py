@@ -1,4 +1,4 @@
-"""Symmetric matrices: the Cholesky factor where there is one, and the nearest thing where not.
+"""Symmetric matrices: Cholesky's factor, Jacobi's eigenvectors, a positive definite replacement.
 
 Matrices are given and returned in their lower triangles.
 """
@@ -8,18 +8,18 @@ from __future__ import annotations
 import math
 
 from covey.kernels._jit import compiled
-from covey.kernels.arrays import Floats, Table
+from covey.kernels.arrays import Floats
 
 _TINY = 1e-8
-_MOST_SWEEPS = 30
+_MAX_SWEEPS = 30
 
 
 @compiled
-def factorise(matrix: Table, n: int, floor: float, factor: Table) -> bool:
+def cholesky(matrix: Floats, n: int, floor: float, factor: Floats) -> bool:
     """Write the Cholesky factor; return whether `matrix` is positive definite beyond rounding.
 
-    Its pivots must be above the `floor`. Its diagonal is inverted: what solves with it then
-    multiplies, where it would divide.
+    Pivots must be above the `floor`. The factor's diagonal is inverted, so that solving with the
+    factor multiplies where it would divide.
     """
     least = floor
     for i in range(n):
@@ -41,35 +41,38 @@ def factorise(matrix: Table, n: int, floor: float, factor: Table) -> bool:
 
 
 @compiled
-def make_positive(matrix: Table, n: int, floor: float, vectors: Table, sizes: Floats) -> None:
+def make_positive(
+    matrix: Floats, n: int, floor: float, eigenvectors: Floats, eigenvalues: Floats
+) -> None:
     """Replace each eigenvalue by its absolute value, so that the matrix is positive definite.
 
-    One below 1e-7 of the largest, or below ten times the `floor`, is raised to that; where all are
-    zero, and the floor too, to one. A Newton step then climbs away from a saddle as fast as it
-    approaches a maximum. `vectors` (n, n) and `sizes` (n) are scratch.
+    Eigenvalues below 1e-7 of the largest, or below ten times the `floor`, are raised to these
+    bounds. Where all eigenvalues and the floor are zero, they are raised to one. A Newton step then
+    climbs away from a saddle as fast as it approaches a maximum. `eigenvectors` (n, n) and
+    `eigenvalues` (n,) are scratch.
     """
-    diagonalise(matrix, n, vectors)
+    jacobi_eigen(matrix, n, eigenvectors)
     least = 10.0 * floor
     for i in range(n):
-        sizes[i] = abs(matrix[i, i])
-        least = max(least, 10.0 * _TINY * sizes[i])
+        eigenvalues[i] = abs(matrix[i, i])
+        least = max(least, 10.0 * _TINY * eigenvalues[i])
     for i in range(n):
-        sizes[i] = max(sizes[i], least) if least > 0.0 else 1.0
+        eigenvalues[i] = max(eigenvalues[i], least) if least > 0.0 else 1.0
     for i in range(n):
         for j in range(i + 1):
             total = 0.0
             for k in range(n):
-                total += sizes[k] * vectors[i, k] * vectors[j, k]
+                total += eigenvalues[k] * eigenvectors[i, k] * eigenvectors[j, k]
             matrix[i, j] = total
 
 
 @compiled
-def diagonalise(matrix: Table, n: int, vectors: Table) -> None:
-    """Jacobi's method: rotate until the matrix is diagonal; `vectors` gets the eigenvectors."""
+def jacobi_eigen(matrix: Floats, n: int, eigenvectors: Floats) -> None:
+    """Jacobi's method: rotate until the matrix is diagonal; write the eigenvectors."""
     for i in range(n):
         for j in range(n):
-            vectors[i, j] = 1.0 if i == j else 0.0
-    for _ in range(_MOST_SWEEPS):
+            eigenvectors[i, j] = 1.0 if i == j else 0.0
+    for _ in range(_MAX_SWEEPS):
         off = diagonal = 0.0
         for i in range(n):
             diagonal += matrix[i, i] * matrix[i, i]
@@ -80,11 +83,11 @@ def diagonalise(matrix: Table, n: int, vectors: Table) -> None:
         for p in range(n):
             for q in range(p):
                 if matrix[p, q] != 0.0:
-                    _rotate(matrix, n, vectors, p, q)
+                    _rotate(matrix, n, eigenvectors, p, q)
 
 
 @compiled
-def _rotate(matrix: Table, n: int, vectors: Table, p: int, q: int) -> None:
+def _rotate(matrix: Floats, n: int, eigenvectors: Floats, p: int, q: int) -> None:
     """Make entry (p, q), q < p, zero by a rotation in the plane of p and q."""
     entry = matrix[p, q]
     slope = 0.5 * (matrix[q, q] - matrix[p, p]) / entry
@@ -104,6 +107,6 @@ def _rotate(matrix: Table, n: int, vectors: Table, p: int, q: int) -> None:
         at_p, at_q = matrix[k, p], matrix[k, q]
         matrix[k, p], matrix[k, q] = cosine * at_p - sine * at_q, cosine * at_q + sine * at_p
     for k in range(n):
-        vector_p, vector_q = vectors[k, p], vectors[k, q]
-        vectors[k, p] = cosine * vector_p - sine * vector_q
-        vectors[k, q] = cosine * vector_q + sine * vector_p
+        vector_p, vector_q = eigenvectors[k, p], eigenvectors[k, q]
+        eigenvectors[k, p] = cosine * vector_p - sine * vector_q
+        eigenvectors[k, q] = cosine * vector_q + sine * vector_p

@@ -1,151 +1,104 @@
-"""One local maximum of a mean over capture sequences that are drawn: Newton's method in a box.
+"""A local maximum of a mean over drawn capture sequences: Newton's method in a trust region.
 
-No least is taken, so the mean is as smooth as a capture time: its gradient is continuous, and its
-curvature too unless somebody is captured at the very end of a turn.
+No minimum is taken, so the mean is as smooth as a capture time. Its gradient is continuous. Its
+Hessian is continuous unless an evader is captured at the very end of a turn.
 """
 
 from __future__ import annotations
 
-import math
-
 from covey.kernels._jit import compiled
-from covey.kernels.arrays import Floats, Pursuit, Table
-from covey.kernels.capture.path import set_paths
-from covey.kernels.capture.sequence import add_curvature, capture_times, differentiate, measured
-from covey.kernels.maximum.curvature import shape, take_way, ways_off
-from covey.kernels.maximum.local_model import ModelScratch, best_step, unit_of
-from covey.kernels.maximum.objective import Aim
-from covey.kernels.maximum.sqp import (
-    CONVERGED,
-    LEAST_BOX,
-    STALLED,
-    STEPS_USED_UP,
-    AscentScratch,
-    Tally,
-    resized,
+from covey.kernels.arrays import Floats
+from covey.kernels.capture.derivatives import add_curvature, differentiate
+from covey.kernels.capture.sequence import capture_times
+from covey.kernels.maximum.curvature import factor_hessian
+from covey.kernels.maximum.local_model import (
+    ModelScratch,
+    best_step,
+    captures_of,
+    clear_hessian,
+    power_of_two_scale,
 )
+from covey.kernels.maximum.problem import (
+    CONVERGED,
+    INTERCEPTIONS,
+    STALLED,
+    STEPS,
+    STEPS_USED_UP,
+    Iterate,
+    Options,
+    Problem,
+)
+from covey.kernels.maximum.trial import (
+    MIN_RADIUS,
+    AscentScratch,
+    accept,
+    best_escape_step,
+    evaluate,
+    longest_change,
+    try_step,
+    updated_radius,
+)
+from covey.kernels.maximum.working_set import Evaluation
 
 
 @compiled
-def expected_value(paths: Table, n: int, pursuit: Pursuit, aim: Aim, times: Floats) -> float:
-    """The mean; `times` (n,) is scratch."""
-    value = 0.0
-    for s in range(aim.draws.used[0]):
-        capture_times(paths, pursuit, aim.draws.sequences[s, :n], times)
-        value += aim.draws.weights[s] * measured(times, n, aim.total)
-    return value
+def maximise_expected(
+    problem: Problem, turns: Floats, options: Options, scratch: AscentScratch
+) -> tuple[float, int]:
+    """Improve the turns in place to a local maximum of the mean over the drawn sequences.
 
-
-@compiled
-def ascend_expected(
-    evaders: Table,
-    pursuit: Pursuit,
-    aim: Aim,
-    turns: Floats,
-    box: float,
-    tolerance: float,
-    most_steps: int,
-    scratch: AscentScratch,
-) -> tuple[float, int, Tally]:
-    """Improve `turns` in place to a local maximum; return its value, how it ended, the cost.
-
-    As `ascend`, which see, with one model in place of several, and nothing known beforehand.
+    As `solve_sqp`, with a single model in place of several, and no lower bound. Returns the value,
+    and CONVERGED, STALLED or STEPS_USED_UP.
     """
-    n, drawn = len(turns), aim.draws.used[0]
-    paths, times, model = scratch.here.paths, scratch.here.times[0], scratch.model
-    set_paths(evaders, turns, pursuit.speed, paths)
-    value = expected_value(paths, n, pursuit, aim, times)
-    interceptions, steps, ended = n * drawn, 0, STEPS_USED_UP
-    moved, unit = True, 1.0
-    while steps < most_steps:
+    n, drawn = len(turns), problem.objective.draws.used[0]
+    iterate, here, there = Iterate(turns, scratch.single), scratch.here, scratch.there
+    value = evaluate(problem, turns, iterate.working_set, here)
+    radius, scale, moved, steps, status = options.radius, 1.0, True, 0, STEPS_USED_UP
+    scratch.counters[INTERCEPTIONS] += n * drawn
+    while status == STEPS_USED_UP and steps < options.max_steps:
         if moved:
-            unit = unit_of(value)
-            _linearise(paths, n, pursuit, aim, unit, times, model)
-            shape(n, scratch.one, scratch.here.values, False, unit, model)
-        scratch.here.values[0] = value
-        promise = best_step(turns, n, scratch.one, scratch.here.values, box, unit, model)
-        if promise - value <= tolerance * value:
-            promise = _way_off_a_saddle(evaders, n, pursuit, aim, turns, unit, scratch)
-            if promise - value <= 2.0 * tolerance * value:
-                ended = CONVERGED
-                break
+            scale = power_of_two_scale(value)
+            _build_model(problem, here, scale, scratch.model)
+            factor_hessian(n, iterate.working_set, here.values, False, scale, scratch.model)
+        predicted = best_step(iterate, here.values, radius, scale, scratch.model)
+        if predicted - value <= options.tolerance * value:
+            predicted = best_escape_step(problem, iterate, here, there, scale, scratch)
+            if predicted - value <= 2.0 * options.tolerance * value:
+                status = CONVERGED
+                continue
         steps += 1
-        trial = _try_step(evaders, n, pursuit, aim, turns, scratch)
-        interceptions += n * drawn
-        gained = (trial - value) / (promise - value)
-        longest = 0.0
-        for i in range(n):
-            longest = max(longest, abs(scratch.turns[i] - turns[i]))
-        moved = gained > 0.0
+        trial = try_step(problem, iterate, there, scratch)
+        scratch.counters[INTERCEPTIONS] += n * drawn
+        gain_ratio = (trial - value) / (predicted - value)
+        longest = longest_change(iterate, scratch)
+        moved = gain_ratio > 0.0
         if moved:
             value = trial
-            for i in range(n):
-                turns[i] = scratch.turns[i]
-            set_paths(evaders, turns, pursuit.speed, paths)
-        box = resized(box, gained, longest)
-        if box < LEAST_BOX:
-            ended = STALLED
-            break
-    return value, ended, Tally(steps, 0, interceptions)
+            accept(iterate, scratch)
+            here, there = there, here
+        radius = updated_radius(radius, gain_ratio, longest)
+        if radius < MIN_RADIUS:
+            status = STALLED
+    scratch.counters[STEPS] += steps
+    return value, status
 
 
 @compiled
-def _try_step(
-    evaders: Table, n: int, pursuit: Pursuit, aim: Aim, turns: Floats, scratch: AscentScratch
-) -> float:
-    """Move `turns` by the step; return the mean there."""
-    for i in range(n):
-        scratch.turns[i] = min(max(turns[i] + scratch.model.step[i], -math.pi), math.pi)
-    set_paths(evaders, scratch.turns[:n], pursuit.speed, scratch.there.paths)
-    return expected_value(scratch.there.paths, n, pursuit, aim, scratch.there.times[0])
+def _build_model(problem: Problem, here: Evaluation, scale: float, model: ModelScratch) -> None:
+    """Write gradient and Hessian, its sign turned, of the mean, as those of a single sequence.
 
-
-@compiled
-def _way_off_a_saddle(
-    evaders: Table,
-    n: int,
-    pursuit: Pursuit,
-    aim: Aim,
-    turns: Floats,
-    unit: float,
-    scratch: AscentScratch,
-) -> float:
-    """Write the step that leads highest off a saddle or a plateau; return the mean there.
-
-    -inf if everything bends downwards.
+    `here.times[0]` and the second row of the gradients are scratch.
     """
-    best, highest = -1, -math.inf
-    for way in range(ways_off(n, scratch.one, scratch.here.values, unit, scratch.model)):
-        take_way(way, n, scratch.model)
-        reached = _try_step(evaders, n, pursuit, aim, turns, scratch)
-        if reached > highest:
-            best, highest = way, reached
-    take_way(best, n, scratch.model)
-    return highest
-
-
-@compiled
-def _linearise(
-    paths: Table,
-    n: int,
-    pursuit: Pursuit,
-    aim: Aim,
-    unit: float,
-    times: Floats,
-    model: ModelScratch,
-) -> None:
-    """Gradient and curvature, its sign turned, of the mean, as those of the only column."""
-    mean, own, curvature = model.gradients[0], model.gradients[1], model.curvature
+    n, draws, pursuit = len(problem.evaders), problem.objective.draws, problem.pursuit
+    mean, gradient, times = model.gradients[0], model.gradients[1], here.times[0, :n]
     for i in range(n):
         mean[i] = 0.0
-        for j in range(n):
-            curvature[i, j] = 0.0
-    for s in range(aim.draws.used[0]):
-        sequence, share = aim.draws.sequences[s, :n], unit * aim.draws.weights[s]
-        capture_times(paths, pursuit, sequence, times)
-        differentiate(paths, pursuit, sequence, aim.total, times, model.captures, own)
+    clear_hessian(n, model)
+    for s in range(draws.used[0]):
+        sequence, share = draws.sequences[s, :n], scale * draws.probabilities[s]
+        capture_times(here.paths, pursuit, sequence, times)
+        captures = captures_of(here, 0, model)
+        differentiate(here.paths, pursuit, sequence, problem.objective.total, captures, gradient)
         for i in range(n):
-            mean[i] += share * own[i]
-        add_curvature(
-            paths, pursuit, sequence, times, model.captures, -share, model.slopes, curvature
-        )
+            mean[i] += share * gradient[i]
+        add_curvature(here.paths, pursuit, sequence, captures, -share, model.hessian)

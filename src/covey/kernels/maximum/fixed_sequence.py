@@ -1,8 +1,8 @@
 """The latest last capture in one known sequence: a dynamic programme over each evader's turn.
 
-A capture that comes later on the same path delays every later one, for the pursuer is the faster.
-So of all turns of the evaders before it, an evader on a given path needs only those that have
-*itself* captured latest, and the maximum over N turns falls into N maxima over one. On a grid of
+A later capture on the same path delays every later capture, for the pursuer is the faster. So the
+problem has optimal substructure: for each path of the k-th evader keep only its latest capture over
+all turns of the evaders before it. The maximum over N turns becomes N maxima over one. On a grid of
 turns it is exact; finer and finer grids around the best turns then close in on the maximum.
 """
 
@@ -13,10 +13,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels._jit import allocating, compiled
-from covey.kernels.arrays import Floats, Ints, Pursuit, Table
+from covey.kernels._jit import compiled
+from covey.kernels.arrays import Floats, Ints
 from covey.kernels.capture.interception import earliest_capture
-from covey.kernels.capture.path import EVADER, PATH, TURN_RATE, position, set_paths
+from covey.kernels.capture.path import PATH, TURN_RATE, set_paths
+from covey.kernels.capture.pursuit import Pursuit, disk_after, initial_disk
 
 COARSE = 65
 """Turns of each evader on the first grid, which covers all of [-π, π]."""
@@ -24,28 +25,24 @@ COARSE = 65
 FINE = 9
 """Turns of each evader on the grids that close in."""
 
-_MOST_ROUNDS = 200
+_MAX_ROUNDS = 200
 
 
 class Grid(NamedTuple):
     """A grid of `nodes` turns for each of n evaders; evader i has rows i * nodes onward."""
 
-    evaders: Table  # (n * nodes, EVADER)
+    evaders: Floats  # (n * nodes, EVADER)
     turns: Floats  # (n * nodes,)
-    paths: Table  # (n * nodes, PATH)
-    latest: Floats  # (n, nodes) latest capture by place in the sequence
-    before: Ints  # (n, nodes) the node of the evader before, with which it is attained
+    paths: Floats  # (n * nodes, PATH)
+    latest: Floats  # (n, nodes) latest capture by slot in the sequence
+    predecessor: Ints  # (n, nodes) the node of the evader before, with which it is attained
 
 
-@allocating
-def make_grid(evaders: Table, nodes: int) -> Grid:
+def new_grid(evaders: Floats, nodes: int) -> Grid:
     """Allocate a grid for these evaders."""
     n = len(evaders)
-    repeated = np.empty((n * nodes, EVADER))
-    for row in range(n * nodes):
-        repeated[row] = evaders[row // nodes]
     return Grid(
-        repeated,
+        np.repeat(evaders, nodes, axis=0),
         np.empty(n * nodes),
         np.empty((n * nodes, PATH)),
         np.empty((n, nodes)),
@@ -73,48 +70,36 @@ def lay_grid(grid: Grid, centers: Floats, width: float, pursuer_speed: float) ->
 
 
 @compiled
-def first_captures(paths: Table, pursuit: Pursuit, i: int, latest: Floats) -> None:
+def first_captures(paths: Floats, pursuit: Pursuit, i: int, latest: Floats) -> None:
     """Write when evader i, on each of its paths, is captured first of all."""
     nodes = len(latest)
     for j in range(nodes):
-        latest[j] = earliest_capture(
-            paths,
-            i * nodes + j,
-            pursuit.center_x,
-            pursuit.center_y,
-            pursuit.first_radius,
-            0.0,
-            pursuit.speed,
-        )
+        latest[j] = earliest_capture(paths, i * nodes + j, initial_disk(pursuit))
 
 
 @compiled
 def next_captures(
-    paths: Table,
+    paths: Floats,
     pursuit: Pursuit,
     previous: int,
     i: int,
     earlier: Floats,
     latest: Floats,
-    before: Ints,
+    predecessor: Ints,
 ) -> None:
-    """Write when evader i, on each of its paths, is captured `latest`.
+    """Write when evader i, on each of its paths, is captured `latest`, and by which predecessor.
 
-    The pursuer comes from evader `previous`, captured at `earlier` on each of *its* paths; the one
-    that delays i most goes to `before`.
+    The pursuer comes from evader `previous`, captured at `earlier` on each of that evader's paths.
     """
     nodes = len(latest)
     for j in range(nodes):
         latest[j] = -math.inf
     for b in range(nodes):
-        time = earlier[b]
-        x, y = position(paths, previous * nodes + b, time)
+        disk = disk_after(paths, previous * nodes + b, earlier[b], pursuit)
         for j in range(nodes):
-            capture = earliest_capture(
-                paths, i * nodes + j, x, y, pursuit.later_radius, time, pursuit.speed
-            )
+            capture = earliest_capture(paths, i * nodes + j, disk)
             if capture > latest[j]:
-                latest[j], before[j] = capture, b
+                latest[j], predecessor[j] = capture, b
 
 
 @compiled
@@ -133,7 +118,7 @@ def best_on_grid(grid: Grid, pursuit: Pursuit, sequence: Ints, turns: Floats) ->
             sequence[k],
             grid.latest[k - 1],
             grid.latest[k],
-            grid.before[k],
+            grid.predecessor[k],
         )
     best = 0
     for j in range(nodes):
@@ -144,27 +129,52 @@ def best_on_grid(grid: Grid, pursuit: Pursuit, sequence: Ints, turns: Floats) ->
         turns[sequence[k]] = grid.turns[sequence[k] * nodes + best]
         on_border = on_border or best >= nodes - 2
         if k > 0:
-            best = grid.before[k, best]
+            best = grid.predecessor[k, best]
     return on_border
 
 
-@allocating
-def latest_in_sequence(
-    evaders: Table, pursuit: Pursuit, sequence: Ints, tolerance: float
-) -> tuple[Floats, bool]:
-    """The turns with the latest last capture in `sequence`, and whether they are settled.
+class Grids(NamedTuple):
+    """The grids of a search."""
 
-    Settled: known to `tolerance`, radians. The grid narrows only where its border doesn't attract.
+    coarse: Grid
+    fine: Grid
+
+
+def new_grids(evaders: Floats) -> Grids:
+    """Allocate the grids of `latest_in_sequence`."""
+    return Grids(new_grid(evaders, COARSE), new_grid(evaders, FINE))
+
+
+@compiled
+def latest_in_sequence(
+    pursuit: Pursuit, sequence: Ints, tolerance: float, grids: Grids, turns: Floats
+) -> bool:
+    """Write the turns with the latest last capture; return whether they are settled.
+
+    1. The best turns of the coarse grid.
+    2. Fine grids around the best turns. The grid narrows only where the best turns are not on its
+       border.
+
+    Parameters
+    ----------
+    pursuit
+        The pursuer.
+    sequence
+        (n,) the order of capture.
+    tolerance
+        Radians; settled turns are known to it.
+    grids
+        Of the evaders; modified in place.
+    turns
+        (n,) zeros; modified in place.
     """
-    n = len(sequence)
-    turns, grid = np.zeros(n), make_grid(evaders, COARSE)
-    lay_grid(grid, turns, math.pi, pursuit.speed)
-    best_on_grid(grid, pursuit, sequence, turns)
-    grid, width = make_grid(evaders, FINE), 2.0 * math.pi / (COARSE // 2)
-    for _ in range(_MOST_ROUNDS):
-        lay_grid(grid, turns, width, pursuit.speed)
-        if not best_on_grid(grid, pursuit, sequence, turns):
+    lay_grid(grids.coarse, turns, math.pi, pursuit.speed)
+    best_on_grid(grids.coarse, pursuit, sequence, turns)
+    width = 2.0 * math.pi / (COARSE // 2)
+    for _ in range(_MAX_ROUNDS):
+        lay_grid(grids.fine, turns, width, pursuit.speed)
+        if not best_on_grid(grids.fine, pursuit, sequence, turns):
             width *= 0.5
         if width < tolerance:
-            return turns, True
-    return turns, False
+            return True
+    return False

@@ -1,4 +1,4 @@
-"""Where ascents start: flight straight away, random turns, variations of the best plans so far."""
+"""Initial guesses of ascents: flight straight away, random turns, variations of the best plans."""
 
 from __future__ import annotations
 
@@ -7,148 +7,161 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels._jit import allocating, compiled
-from covey.kernels.arrays import Floats, Pursuit, Table
+from covey.kernels._jit import compiled
+from covey.kernels.arrays import Floats
 from covey.kernels.capture.path import HEADING, TURN_RATE, X, Y, wrapped
-from covey.kernels.maximum.local_maximum import worth
-from covey.kernels.maximum.objective import Aim
-from covey.kernels.maximum.sqp import AscentScratch
+from covey.kernels.maximum.local_maximum import exact_value
+from covey.kernels.maximum.problem import Problem
+from covey.kernels.maximum.trial import AscentScratch
 
 CANDIDATES = 8
-"""Random turns that are evaluated for each start; the ascent begins at the best of them."""
+"""Turn vectors that are evaluated for each guess; the ascent begins at the best of them."""
 
-BEGINNINGS = 8
-"""Starts from nowhere in particular, before the first that varies what was found."""
+N_RANDOM = 8
+"""Guesses that don't depend on what was found, before the first that varies a plan."""
 
 BATCH = 4
-"""Starts that know of the same plans, so that they can be followed side by side."""
+"""Guesses that vary the same plans, so that their ascents can run in parallel."""
 
 ELITE = 3
 """How many of the best plans are varied in turn."""
 
-_SMALL = 3
+_SMALL = 3  # teams up to this size gain more from random guesses than from variations
 _HALF_TURN_RIGHT = 1e-9 - math.pi
-_MOST_VARIED = 3  # evaders that turn elsewhere than in the plan that is varied
+_MAX_VARIED = 3  # evaders that turn elsewhere than in the plan that is varied
 
 
 class Elite(NamedTuple):
-    """The best plans so far, the best one first."""
+    """The best plans so far, the best plan first."""
 
     values: Floats  # (ELITE,) -inf where there is none
-    turns: Table  # (ELITE, n)
+    turns: Floats  # (ELITE, n)
 
 
-@allocating
-def make_elite(n: int) -> Elite:
-    """Room for the best plans, none yet."""
+class Guesses(NamedTuple):
+    """What a range of initial guesses is made from."""
+
+    uniforms: Floats  # (CANDIDATES * (guesses - 1), n) random numbers in [-1, 1]
+    elite: Elite  # modified in place after each batch
+    first: int  # number of the first guess
+    size: int  # how many guesses
+
+
+def new_elite(n: int) -> Elite:
+    """Allocate room for the best plans of up to n evaders, none yet."""
     return Elite(np.full(ELITE, -math.inf), np.zeros((ELITE, n)))
 
 
 @compiled
-def enter(elite: Elite, n: int, value: float, turns: Floats) -> None:
-    """Enter a plan among the best, unless one with the same value is there."""
+def insert(elite: Elite, value: float, turns: Floats) -> None:
+    """Insert a plan among the best, unless a plan with the same value is there."""
+    n = len(turns)
     for k in range(ELITE):
         if abs(value - elite.values[k]) <= 1e-9 * abs(value):
             return
-    place = ELITE
-    while place > 0 and elite.values[place - 1] < value:
-        place -= 1
-    if place == ELITE:
+    rank = ELITE
+    while rank > 0 and elite.values[rank - 1] < value:
+        rank -= 1
+    if rank == ELITE:
         return
-    for k in range(ELITE - 1, place, -1):
+    for k in range(ELITE - 1, rank, -1):
         elite.values[k] = elite.values[k - 1]
         for i in range(n):
             elite.turns[k, i] = elite.turns[k - 1, i]
-    elite.values[place] = value
+    elite.values[rank] = value
     for i in range(n):
-        elite.turns[place, i] = turns[i]
+        elite.turns[rank, i] = turns[i]
 
 
 @compiled
-def lay_out(
-    evaders: Table,
-    n: int,
-    pursuit: Pursuit,
-    aim: Aim,
-    noise: Table,
-    start: int,
-    elite: Elite,
+def make_guess(
+    problem: Problem,
+    guesses: Guesses,
+    number: int,
     candidate: Floats,
     turns: Floats,
     scratch: AscentScratch,
 ) -> None:
-    """Write the turns of a start to `turns`.
+    """Write the initial guess of a number.
 
-    Start 0 is flight straight away from the disk's centre; the other beginnings are the best of
-    that flight turned by π times `CANDIDATES` rows of `noise` (numbers in [-1, 1]). Then each start
-    takes one of the best plans and lets a few evaders turn elsewhere; small teams do better by
-    beginning anew. `candidate` (n,) is scratch.
+    Guess 0 is flight straight away from the disk's centre. Guesses 1 to 7 take the best of
+    `CANDIDATES` random turn vectors, half of them small turns. Each later guess varies a plan of
+    the elite: a few evaders turn elsewhere. Teams of up to three keep to random guesses.
+
+    Parameters
+    ----------
+    problem
+        The living evaders (n), the pursuit, the objective.
+    guesses
+        Random numbers and elite.
+    number
+        Of the guess, from 0.
+    candidate
+        (n,) scratch.
+    turns
+        (n,) the guess, radians in [-π, π]; modified in place.
+    scratch
+        Of the exact value.
     """
-    if start == 0:
-        _away(evaders, n, pursuit, turns)
+    if number == 0:
+        _away(problem, turns)
         return
-    varying = start >= BEGINNINGS and n > _SMALL and elite.values[0] > -math.inf
+    elite = guesses.elite
+    varying = number >= N_RANDOM and len(turns) > _SMALL and elite.values[0] > -math.inf
     best = -math.inf
-    for row in range((start - 1) * CANDIDATES, start * CANDIDATES, 2 if varying else 1):
+    for row in range((number - 1) * CANDIDATES, number * CANDIDATES, 2 if varying else 1):
         if varying:
-            _vary(evaders, n, noise, row, start % ELITE, elite, candidate)
+            _vary(problem.evaders, guesses, row, number % ELITE, candidate)
         else:
-            _turn_at_random(evaders, n, pursuit, noise, row, row % 2 == 0, candidate)
-        value = worth(evaders, n, pursuit, aim, candidate, best, scratch)
+            _turn_at_random(problem, guesses.uniforms[row], row % 2 == 0, candidate)
+        value = exact_value(problem, candidate, best, scratch)
         if value > best:
             best = value
-            for i in range(n):
+            for i in range(len(turns)):
                 turns[i] = candidate[i]
 
 
 @compiled
-def _turn_at_random(
-    evaders: Table,
-    n: int,
-    pursuit: Pursuit,
-    noise: Table,
-    row: int,
-    little: bool,
-    candidate: Floats,
-) -> None:
-    """Turn away from the disk and then anywhere, or from where everyone heads, rather a `little`.
+def _turn_at_random(problem: Problem, uniforms: Floats, small: bool, candidate: Floats) -> None:
+    """Write random turns: any turns from flight straight away, or `small` turns of the heading.
 
-    An evader that is caught while it turns doesn't learn from any gradient to turn less.
+    An evader that is caught while it turns gets no gradient towards a smaller turn.
     """
-    _away(evaders, n, pursuit, candidate)
-    for i in range(n):
-        if evaders[i, TURN_RATE] > 0.0:
-            if little:
-                candidate[i] = math.pi * noise[row, i] ** 3
+    _away(problem, candidate)
+    for i in range(len(candidate)):
+        if problem.evaders[i, TURN_RATE] > 0.0:
+            if small:
+                candidate[i] = math.pi * uniforms[i] ** 3
             else:
-                candidate[i] = wrapped(candidate[i] + math.pi * noise[row, i])
+                candidate[i] = wrapped(candidate[i] + math.pi * uniforms[i])
 
 
 @compiled
-def _vary(
-    evaders: Table, n: int, noise: Table, row: int, plan: int, elite: Elite, candidate: Floats
-) -> None:
-    """Vary one of the best plans: a row of noise says to where evaders turn, the next one who."""
+def _vary(evaders: Floats, guesses: Guesses, row: int, plan: int, candidate: Floats) -> None:
+    """Write a variation of a plan: a row says where evaders turn, the next row which evaders."""
+    elite, turns, ranks = guesses.elite, guesses.uniforms[row], guesses.uniforms[row + 1]
+    n = len(candidate)
     if elite.values[plan] == -math.inf:
         plan = 0
-    varied = min(max(n // 2, 1), _MOST_VARIED)
+    varied = min(max(n // 2, 1), _MAX_VARIED)
     for i in range(n):
         candidate[i] = elite.turns[plan, i]
-        before = 0
+        larger = 0
         for j in range(n):
-            before += noise[row + 1, j] > noise[row + 1, i]
-        if before < varied and evaders[i, TURN_RATE] > 0.0:
-            candidate[i] = math.pi * noise[row, i]
+            larger += ranks[j] > ranks[i]
+        if larger < varied and evaders[i, TURN_RATE] > 0.0:
+            candidate[i] = math.pi * turns[i]
 
 
 @compiled
-def _away(evaders: Table, n: int, pursuit: Pursuit, turns: Floats) -> None:
+def _away(problem: Problem, turns: Floats) -> None:
     """Write the turns, the shorter way, to flight straight away from the disk's centre.
 
-    Half turns are to the left, so that not rounding decides about them. An evader that can't turn
-    keeps its heading here and in every start, for nothing depends on it.
+    Half turns go to the left, so that rounding doesn't decide their direction. An evader that can't
+    turn keeps its heading here and in every guess, for nothing depends on its turn.
     """
-    for i in range(n):
+    evaders, pursuit = problem.evaders, problem.pursuit
+    for i in range(len(turns)):
         off_x, off_y = evaders[i, X] - pursuit.center_x, evaders[i, Y] - pursuit.center_y
         turns[i] = 0.0
         if evaders[i, TURN_RATE] > 0.0:

@@ -1,74 +1,49 @@
-"""One local maximum of what a team wants, whatever that is."""
+"""One local maximum of the objective, whatever the objective is, and the exact value of turns."""
 
 from __future__ import annotations
 
 import math
 
 from covey.kernels._jit import compiled
-from covey.kernels.arrays import Floats, Pursuit, Table
+from covey.kernels.arrays import Floats
 from covey.kernels.capture.path import set_paths
-from covey.kernels.capture.sequence import measured
-from covey.kernels.maximum.expected_value import ascend_expected, expected_value
-from covey.kernels.maximum.objective import Aim
-from covey.kernels.maximum.sqp import AscentScratch, Tally, ascend
-from covey.kernels.maximum.working_set import Columns
-from covey.kernels.minimum.greedy_sequence import nearest_first, short_sequence
-from covey.kernels.minimum.inner_minimum import least_value
+from covey.kernels.capture.sequence import objective_value
+from covey.kernels.maximum.expected_value import maximise_expected
+from covey.kernels.maximum.problem import Iterate, Options, Problem
+from covey.kernels.maximum.sqp import solve_sqp
+from covey.kernels.maximum.trial import AscentScratch, expected_value
+from covey.kernels.minimum.greedy_sequence import greedy_sequence, nearest_first
+from covey.kernels.minimum.inner_minimum import inner_minimum
 
 
 @compiled
-def climb(
-    evaders: Table,
-    pursuit: Pursuit,
-    aim: Aim,
-    turns: Floats,
-    columns: Columns,
-    box: float,
-    tolerance: float,
-    most_steps: int,
-    known: float,
+def maximise(
+    problem: Problem,
+    iterate: Iterate,
+    options: Options,
+    lower_bound: float,
     scratch: AscentScratch,
-) -> tuple[float, int, Tally]:
-    """`ascend` or, without `columns` and what is `known`, `ascend_expected`."""
-    if aim.expected:
-        return ascend_expected(evaders, pursuit, aim, turns, box, tolerance, most_steps, scratch)
-    return ascend(
-        evaders,
-        pursuit,
-        aim.total,
-        turns,
-        columns,
-        box,
-        tolerance,
-        most_steps,
-        known,
-        scratch,
-    )
+) -> tuple[float, int]:
+    """Call `solve_sqp`, or `maximise_expected`, which has no working set and no lower bound."""
+    if problem.objective.expected:
+        return maximise_expected(problem, iterate.turns, options, scratch)
+    return solve_sqp(problem, iterate, options, lower_bound, scratch)
 
 
 @compiled
-def worth(
-    evaders: Table,
-    n: int,
-    pursuit: Pursuit,
-    aim: Aim,
-    turns: Floats,
-    enough: float,
-    scratch: AscentScratch,
-) -> float:
-    """What turns are worth, or -inf where one sequence shows that it isn't more than `enough`."""
-    set_paths(evaders, turns[:n], pursuit.speed, scratch.here.paths)
-    if aim.expected:
-        return expected_value(scratch.here.paths, n, pursuit, aim, scratch.here.times[0])
-    times = scratch.here.times[0]
-    if aim.total:
-        nearest_first(scratch.here.paths, n, pursuit, -1, scratch.found, times)
+def exact_value(problem: Problem, turns: Floats, cutoff: float, scratch: AscentScratch) -> float:
+    """Return the exact value of turns; -inf where one sequence shows that it is <= `cutoff`."""
+    n, total, here = len(problem.evaders), problem.objective.total, scratch.here
+    set_paths(problem.evaders, turns, problem.pursuit.speed, here.paths)
+    if problem.objective.expected:
+        return expected_value(problem, here)
+    paths, sequence, times = here.paths[:n], scratch.worst[:n], here.times[0, :n]
+    if total:
+        nearest_first(paths, problem.pursuit, -1, sequence, times)
     else:
-        short_sequence(scratch.here.paths, n, pursuit, scratch.found, times)
-    bound = measured(times, n, aim.total)
-    if bound <= enough:
+        greedy_sequence(paths, problem.pursuit, sequence, times)
+    bound = objective_value(times, total)
+    if bound <= cutoff:
         return -math.inf
-    value, _ = least_value(
-        scratch.here.paths, n, pursuit, aim.total, bound, scratch.found, scratch.worst
-    )
+    value, _ = inner_minimum(paths, problem.pursuit, total, bound, sequence, scratch.inner)
     return value

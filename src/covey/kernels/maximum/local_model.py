@@ -1,7 +1,8 @@
-"""The local model of the guaranteed time around some turns, and the step that is best for it.
+"""The local model of the objective around some turns, and the step that maximises the model.
 
-Each column is linear; all share the exact curvature of their Lagrangian, mended (in `curvature`)
-where it has a wrong sign. The step maximises the least of them inside a box.
+Each sequence of the working set is linearised. All share the exact Hessian of the Lagrangian, which
+`curvature` factors. The step maximises the minimum of the linear models, less the quadratic term,
+inside a trust region of the maximum norm.
 """
 
 from __future__ import annotations
@@ -9,190 +10,194 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-
-from covey.kernels._jit import allocating, compiled, inlined
-from covey.kernels.arrays import Floats, Pursuit
-from covey.kernels.capture.sequence import CAPTURE, add_curvature, differentiate
+from covey.kernels._jit import compiled, inlined
+from covey.kernels.arrays import Floats, Workspace, float_rows, floats
+from covey.kernels.capture.derivatives import CAPTURE_ROW, Captures, add_curvature, differentiate
 from covey.kernels.linalg.quadratic_program import (
+    QuadraticProgram,
     QuadraticScratch,
+    Solution,
     quadratic_scratch,
     solve_quadratic,
 )
-from covey.kernels.maximum.working_set import Columns, Point, most_columns
+from covey.kernels.maximum.problem import Iterate, Problem
+from covey.kernels.maximum.working_set import Evaluation, WorkingSet, capacity
 
 
 class ModelScratch(NamedTuple):
-    """Arrays of the model of n turns with up to m columns."""
+    """Arrays of the model of n turns with up to m sequences."""
 
     gradients: Floats  # (m, n)
-    weights: Floats  # (m,) of the columns in the curvature
-    captures: Floats  # (n, CAPTURE)
+    weights: Floats  # (m,) multipliers in the Hessian
+    capture_rows: Floats  # (n, CAPTURE_ROW)
     slopes: Floats  # (3, n)
-    curvature: Floats  # (n, n)
-    shaped: Floats  # (n, n) curvature made fit for the quadratic programme
+    hessian: Floats  # (n, n) of the Lagrangian, sign turned; lower triangle
+    convex_hessian: Floats  # (n, n) made positive definite for the quadratic programme
     factor: Floats  # (n, n)
-    vectors: Floats  # (n, n)
-    sizes: Floats  # (n,)
-    pull: Floats  # (n,)
-    low: Floats  # (n,)
-    high: Floats  # (n,)
-    step: Floats  # (n,) the best one
+    eigenvectors: Floats  # (n, n)
+    eigenvalues: Floats  # (n,)
+    linear: Floats  # (n,) linear term of the penalty
+    lower: Floats  # (n,) bounds of the step
+    upper: Floats  # (n,)
+    step: Floats  # (n,) the maximiser
     values: Floats  # (m,)
     quadratic: QuadraticScratch
 
 
-@allocating
-def model_scratch(n: int) -> ModelScratch:
-    """Allocate the scratch of a model of up to n turns."""
-    m = most_columns(n)
+@inlined
+def model_scratch(workspace: Workspace) -> ModelScratch:
+    """Carve the scratch of a model."""
+    n = workspace.size
+    m = capacity(n)
     return ModelScratch(
-        np.empty((m, n)),
-        np.empty(m),
-        np.empty((n, CAPTURE)),
-        np.empty((3, n)),
-        np.empty((n, n)),
-        np.empty((n, n)),
-        np.empty((n, n)),
-        np.empty((n, n)),
-        np.empty(n),
-        np.empty(n),
-        np.empty(n),
-        np.empty(n),
-        np.empty(n),
-        np.empty(m),
-        quadratic_scratch(n, m),
+        float_rows(workspace, m, n),
+        floats(workspace, m),
+        float_rows(workspace, n, CAPTURE_ROW),
+        float_rows(workspace, 3, n),
+        float_rows(workspace, n, n),
+        float_rows(workspace, n, n),
+        float_rows(workspace, n, n),
+        float_rows(workspace, n, n),
+        floats(workspace, n),
+        floats(workspace, n),
+        floats(workspace, n),
+        floats(workspace, n),
+        floats(workspace, n),
+        floats(workspace, m),
+        quadratic_scratch(workspace, n, m),
     )
 
 
 @inlined
-def unit_of(value: float) -> float:
-    """A power of two that brings times to about one, whatever unit they come in.
+def power_of_two_scale(value: float) -> float:
+    """Return a power of two that brings times to about one, whatever their unit.
 
-    The quadratic programme compares times with radians; a power of two rounds nothing.
+    The quadratic programme compares times with radians. A power of two rounds nothing.
     """
     return math.ldexp(1.0, -math.frexp(value)[1]) if value > 0.0 else 1.0
 
 
 @compiled
-def linearise(
-    point: Point,
-    n: int,
-    pursuit: Pursuit,
-    total: bool,
-    columns: Columns,
-    unit: float,
+def build_model(
+    problem: Problem,
+    working_set: WorkingSet,
+    here: Evaluation,
+    scale: float,
     scratch: ModelScratch,
 ) -> None:
-    """Gradients of all columns, and the curvature of their Lagrangian, sign turned."""
-    count, weights = columns.used[0], columns.weights
-    worst, held = 0, 0.0
+    """Write the gradients of all sequences, and the Hessian of their Lagrangian, sign turned.
+
+    Where no sequence has a multiplier yet, the worst sequence gets all the weight.
+    """
+    n, count, weights = len(problem.evaders), working_set.used[0], working_set.weights
+    worst, total_weight = 0, 0.0
     for s in range(count):
-        held += weights[s]
-        if point.values[s] < point.values[worst]:
+        total_weight += weights[s]
+        if here.values[s] < here.values[worst]:
             worst = s
-    if held == 0.0:
+    if total_weight == 0.0:
         weights[worst] = 1.0
-    curvature = scratch.curvature
-    for i in range(n):
-        for j in range(n):
-            curvature[i, j] = 0.0
+    clear_hessian(n, scratch)
     for s in range(count):
-        linearise_one(point, n, pursuit, total, columns, s, unit, scratch)
+        linearise(problem, working_set, here, s, scale, scratch)
         if weights[s] > 0.0:
             add_curvature(
-                point.paths,
-                pursuit,
-                columns.sequences[s, :n],
-                point.times[s],
-                scratch.captures,
-                -weights[s] * unit,
-                scratch.slopes,
-                curvature,
+                here.paths,
+                problem.pursuit,
+                working_set.sequences[s, :n],
+                captures_of(here, s, scratch),
+                -weights[s] * scale,
+                scratch.hessian,
             )
 
 
 @inlined
-def linearise_one(
-    point: Point,
-    n: int,
-    pursuit: Pursuit,
-    total: bool,
-    columns: Columns,
+def clear_hessian(n: int, scratch: ModelScratch) -> None:
+    """Set the Hessian to zero."""
+    for i in range(n):
+        for j in range(n):
+            scratch.hessian[i, j] = 0.0
+
+
+@inlined
+def linearise(
+    problem: Problem,
+    working_set: WorkingSet,
+    here: Evaluation,
     s: int,
-    unit: float,
+    scale: float,
     scratch: ModelScratch,
 ) -> None:
-    """Gradient of one column, and the weight that it has for now."""
-    scratch.weights[s] = columns.weights[s]
+    """Write the gradient of sequence s, and the multiplier with which the Hessian weights it."""
+    n = len(problem.evaders)
+    scratch.weights[s] = working_set.weights[s]
     differentiate(
-        point.paths,
-        pursuit,
-        columns.sequences[s, :n],
-        total,
-        point.times[s],
-        scratch.captures,
+        here.paths,
+        problem.pursuit,
+        working_set.sequences[s, :n],
+        problem.objective.total,
+        captures_of(here, s, scratch),
         scratch.gradients[s],
     )
     for i in range(n):
-        scratch.gradients[s, i] *= unit
+        scratch.gradients[s, i] *= scale
+
+
+@inlined
+def captures_of(here: Evaluation, s: int, scratch: ModelScratch) -> Captures:
+    """Return the record of the captures of sequence s, which its derivatives share."""
+    return Captures(here.times[s], scratch.capture_rows, scratch.slopes)
 
 
 @compiled
 def best_step(
-    turns: Floats,
-    n: int,
-    columns: Columns,
-    values: Floats,
-    box: float,
-    unit: float,
-    scratch: ModelScratch,
+    iterate: Iterate, values: Floats, radius: float, scale: float, scratch: ModelScratch
 ) -> float:
-    """Write the step that the model thinks best inside the box; return the value it promises."""
-    for s in range(columns.used[0]):
-        scratch.values[s] = unit * values[s]
-    return _solve(turns, n, columns, box, scratch) / unit
+    """Write the step that maximises the model inside the trust region; return its value."""
+    for s in range(iterate.working_set.used[0]):
+        scratch.values[s] = scale * values[s]
+    return _solve(iterate, radius, scratch) / scale
 
 
 @compiled
 def corrected_step(
-    turns: Floats,
+    iterate: Iterate,
     trial: Floats,
-    n: int,
-    columns: Columns,
-    tried: Floats,
-    box: float,
-    unit: float,
+    trial_values: Floats,
+    radius: float,
+    scale: float,
     scratch: ModelScratch,
 ) -> None:
-    """Write a second-order correction of the step: what the model missed, added to its values.
+    """Write a second-order correction of the step to the turns `trial`.
 
-    Each column's own curvature differs from the Lagrangian's, so where several are active the least
-    of them falls short of the promise, however small the step (the Maratos effect).
+    The error of each linear model at the trial is added to its value, and the programme is solved
+    again. Each sequence's own curvature differs from the Lagrangian's. So where several sequences
+    are active, their minimum falls short of the prediction, however small the step (the Maratos
+    effect).
     """
-    for s in range(columns.used[0]):
-        scratch.values[s] = unit * tried[s]
-        for i in range(n):
+    turns = iterate.turns
+    for s in range(iterate.working_set.used[0]):
+        scratch.values[s] = scale * trial_values[s]
+        for i in range(len(turns)):
             scratch.values[s] -= scratch.gradients[s, i] * (trial[i] - turns[i])
-    _solve(turns, n, columns, box, scratch)
+    _solve(iterate, radius, scratch)
 
 
 @compiled
-def _solve(turns: Floats, n: int, columns: Columns, box: float, scratch: ModelScratch) -> float:
-    """Solve the quadratic programme for `scratch.values`, turns kept in the box and in [-π, π]."""
+def _solve(iterate: Iterate, radius: float, scratch: ModelScratch) -> float:
+    """Solve the quadratic programme for `scratch.values`; turns stay in [-π, π]."""
+    turns, working_set = iterate.turns, iterate.working_set
+    n, m = len(turns), working_set.used[0]
     for i in range(n):
-        scratch.low[i] = max(-math.pi - turns[i], -box)
-        scratch.high[i] = min(math.pi - turns[i], box)
-    return solve_quadratic(
-        n,
-        columns.used[0],
-        scratch.values,
+        scratch.lower[i] = max(-math.pi - turns[i], -radius)
+        scratch.upper[i] = min(math.pi - turns[i], radius)
+    program = QuadraticProgram(
+        scratch.values[:m],
         scratch.gradients,
         scratch.factor,
-        scratch.pull,
-        scratch.low,
-        scratch.high,
-        scratch.step,
-        columns.weights,
-        scratch.quadratic,
+        scratch.linear[:n],
+        scratch.lower[:n],
+        scratch.upper[:n],
     )
+    solution = Solution(scratch.step[:n], working_set.weights[:m])
+    return solve_quadratic(program, solution, scratch.quadratic)

@@ -1,255 +1,178 @@
-"""The best of several local maxima: ascents from many starts.
-
-The guaranteed time has many local maxima, more as the team grows, so one ascent is not enough.
-"""
+"""Multistart: ascents from many initial guesses, which learn from the best plans so far."""
 
 from __future__ import annotations
 
 import math
 from typing import NamedTuple
 
-import numpy as np
+from covey.kernels._jit import compiled, inlined
+from covey.kernels.arrays import Floats, Workspace, begin_carving, float_rows, floats
+from covey.kernels.maximum.initial_guesses import (
+    BATCH,
+    ELITE,
+    Elite,
+    Guesses,
+    insert,
+    make_guess,
+)
+from covey.kernels.maximum.local_maximum import maximise
+from covey.kernels.maximum.problem import (
+    CONVERGED,
+    INTERCEPTIONS,
+    STEPS,
+    Iterate,
+    Options,
+    Problem,
+)
+from covey.kernels.maximum.trial import AscentScratch, ascent_scratch
+from covey.kernels.maximum.working_set import copy_working_set, working_set_scratch
 
-from covey.kernels._jit import allocating, compiled, inlined
-from covey.kernels.arrays import Floats, Pursuit, Table
-from covey.kernels.capture.path import set_paths
-from covey.kernels.maximum.initial_guesses import BATCH, Elite, enter, lay_out, make_elite
-from covey.kernels.maximum.local_maximum import climb
-from covey.kernels.maximum.objective import Aim
-from covey.kernels.maximum.sqp import AscentScratch, Tally, ascent_scratch
-from covey.kernels.maximum.working_set import Columns, copy_columns, evaluate, make_columns
+RADIUS_RANDOM = 0.6
+"""First trust-region radius of an ascent from an initial guess, radians."""
 
-FIRST_BOX = 0.6
-"""Largest first change of a turn, radians, in an ascent that starts from nowhere in particular."""
+RADIUS_WARM = 0.2
+"""The same from a plan of a moment ago, with its working set."""
 
-WARM_BOX = 0.2
-"""The same in an ascent that starts from a plan of a moment ago."""
-
-BARE_BOX = 0.02
-"""The same from turns whose sequences nobody knows: until they are met, longer steps may leap from
-a maximum to another one."""
+RADIUS_UNKNOWN_SET = 0.02
+"""The same from turns whose working set is unknown. Until the critical sequences are met, longer
+steps may leap from one maximum to another."""
 
 
 class SearchScratch(NamedTuple):
     """Arrays of a search for up to n evaders."""
 
     candidate: Floats  # (n,)
-    turns: Floats  # (n,)
-    columns: Columns
-    batch: Elite  # (BATCH,) what the present batch came to
+    iterate: Iterate  # of the present ascent
+    batch: Elite  # (BATCH,) results of the present batch
     elite: Elite
     ascent: AscentScratch
 
 
-@allocating
-def search_scratch(n: int, total: bool = False) -> SearchScratch:
-    """Allocate the scratch of a search."""
+@inlined
+def search_scratch(workspace: Workspace) -> SearchScratch:
+    """Carve the scratch of searches."""
+    begin_carving(workspace)
+    n = workspace.size
     return SearchScratch(
-        np.empty(n),
-        np.empty(n),
-        make_columns(n),
-        Elite(np.empty(BATCH), np.empty((BATCH, n))),
-        make_elite(n),
-        ascent_scratch(n, total),
+        floats(workspace, n),
+        Iterate(floats(workspace, n), working_set_scratch(workspace)),
+        Elite(floats(workspace, BATCH), float_rows(workspace, BATCH, n)),
+        Elite(floats(workspace, ELITE), float_rows(workspace, ELITE, n)),
+        ascent_scratch(workspace),
     )
 
 
 @compiled
-def search(
-    evaders: Table,
-    n: int,
-    pursuit: Pursuit,
-    aim: Aim,
-    noise: Table,
-    count: int,
+def multistart(
+    problem: Problem,
+    guesses: Guesses,
+    options: Options,
     best: float,
-    tolerance: float,
-    most_steps: int,
-    turns: Floats,
-    columns: Columns,
-    elite: Elite,
-    scratch: SearchScratch,
-) -> tuple[float, int, Tally]:
-    """Ascend from `count` starts.
+    iterate: Iterate,
+    workspace: Workspace,
+) -> tuple[float, int, int, int]:
+    """Ascend from a range of initial guesses.
 
-    Returns the best value, at least `best` (-inf: none yet), how its ascent ended, and the cost.
-    Where a start comes out clearly above `best`, its turns and columns are written to `turns` and
-    `columns`. Among equals the first one wins, so that a team doesn't change its mind for nothing.
+    Among equals the first plan wins, so that a team doesn't change its plan for nothing.
+
+    Parameters
+    ----------
+    problem
+        The living evaders (n), the pursuit, the objective.
+    guesses
+        The range, its random numbers, and the elite, which the results of each whole batch enter.
+    options
+        Of each ascent.
+    best
+        Value of the best plan so far; -inf: none.
+    iterate
+        (n,) turns and working set of the best plan. Overwritten by a plan that is clearly better.
+    workspace
+        With room for n evaders; modified in place.
+
+    Returns
+    -------
+    tuple of float, int, int, int
+        Value of the best plan; how its ascent ended, CONVERGED where no guess led above `best`;
+        steps; interceptions.
     """
-    ended, total = 0, Tally(0, 0, 0)
-    for start in range(count):
-        value, how, cost = follow(
-            evaders, n, pursuit, aim, noise, start, tolerance, most_steps, elite, scratch
+    scratch = search_scratch(workspace)
+    n, status, batch = len(iterate.turns), CONVERGED, scratch.batch
+    turns = scratch.iterate.turns[:n]
+    found = Iterate(turns, scratch.iterate.working_set)
+    for k in range(guesses.size):
+        make_guess(
+            problem, guesses, guesses.first + k, scratch.candidate[:n], turns, scratch.ascent
         )
-        total = added(total, cost)
+        found.working_set.used[0] = 0
+        value, ended = maximise(problem, found, options, -math.inf, scratch.ascent)
         if is_better(value, best):
-            best, ended = value, how
-            for i in range(n):
-                turns[i] = scratch.turns[i]
-            copy_columns(scratch.columns, n, columns)
-        scratch.batch.values[start % BATCH] = value
+            best, status = value, ended
+            copy_iterate(found, iterate)
+        batch.values[k % BATCH] = value
         for i in range(n):
-            scratch.batch.turns[start % BATCH, i] = scratch.turns[i]
-        if start % BATCH == BATCH - 1:
-            for k in range(BATCH):
-                enter(elite, n, scratch.batch.values[k], scratch.batch.turns[k])
-    return best, ended, total
+            batch.turns[k % BATCH, i] = turns[i]
+        if k % BATCH == BATCH - 1:
+            for j in range(BATCH):
+                insert(guesses.elite, batch.values[j], batch.turns[j, :n])
+    counters = scratch.ascent.counters
+    return best, status, counters[STEPS], counters[INTERCEPTIONS]
 
 
-@inlined
-def added(one: Tally, other: Tally) -> Tally:
-    """Add up what two ascents cost."""
-    return Tally(
-        one.steps + other.steps,
-        one.programmes + other.programmes,
-        one.interceptions + other.interceptions,
-    )
+@compiled
+def refine(
+    problem: Problem,
+    guesses: Guesses,
+    options: Options,
+    lower_bound: float,
+    iterate: Iterate,
+    workspace: Workspace,
+) -> tuple[float, int, int, int]:
+    """Improve an iterate, from its own turns and from other initial guesses.
+
+    Parameters
+    ----------
+    problem
+        The living evaders (n), the pursuit, the objective.
+    guesses
+        The other initial guesses; `size` 0: none. The elite is overwritten by the results.
+    options
+        Of the ascent from the iterate. The other ascents differ in their first radius.
+    lower_bound
+        Of the value of the given turns, see `solve_sqp`; -inf: unknown.
+    iterate
+        (n,) turns and working set; modified in place.
+    workspace
+        With room for n evaders; modified in place.
+
+    Returns
+    -------
+    tuple of float, int, int, int
+        The exact value, which is never below that of the given turns; how the last ascents ended;
+        steps; interceptions.
+    """
+    scratch = search_scratch(workspace)
+    value, status = maximise(problem, iterate, options, lower_bound, scratch.ascent)
+    steps, interceptions = scratch.ascent.counters[STEPS], scratch.ascent.counters[INTERCEPTIONS]
+    if guesses.size > 0:
+        for k in range(len(guesses.elite.values)):
+            guesses.elite.values[k] = -math.inf
+        insert(guesses.elite, value, iterate.turns)
+        options = Options(RADIUS_RANDOM, options.tolerance, options.max_steps)
+        value, status, more, cost = multistart(problem, guesses, options, value, iterate, workspace)
+        steps, interceptions = steps + more, interceptions + cost
+    return value, status, steps, interceptions
+
+
+@compiled
+def copy_iterate(source: Iterate, target: Iterate) -> None:
+    """Copy turns and working set."""
+    for i in range(len(source.turns)):
+        target.turns[i] = source.turns[i]
+    copy_working_set(source.working_set, len(source.turns), target.working_set)
 
 
 @compiled
 def is_better(value: float, best: float) -> bool:
-    """Whether a plan is clearly better than the best one so far (-inf: there is none)."""
+    """Return whether a plan is clearly better than the best plan so far (-inf: none)."""
     return value > best + 1e-10 * abs(best) or best == -math.inf
-
-
-@compiled
-def follow(
-    evaders: Table,
-    n: int,
-    pursuit: Pursuit,
-    aim: Aim,
-    noise: Table,
-    start: int,
-    tolerance: float,
-    most_steps: int,
-    elite: Elite,
-    scratch: SearchScratch,
-) -> tuple[float, int, Tally]:
-    """Ascend from one start, to `scratch.turns` and `scratch.columns`."""
-    lay_out(
-        evaders,
-        n,
-        pursuit,
-        aim,
-        noise,
-        start,
-        elite,
-        scratch.candidate,
-        scratch.turns,
-        scratch.ascent,
-    )
-    scratch.columns.used[0] = 0
-    return climb(
-        evaders,
-        pursuit,
-        aim,
-        scratch.turns[:n],
-        scratch.columns,
-        FIRST_BOX,
-        tolerance,
-        most_steps,
-        -math.inf,
-        scratch.ascent,
-    )
-
-
-class Found(NamedTuple):
-    """The plan that a search came to."""
-
-    value: float
-    ended: int
-    cost: Tally
-    turns: Floats  # (n,)
-    columns: Columns
-    values: Floats  # what each column comes to; of no use where a mean is taken
-
-
-@allocating
-def continue_plan(
-    evaders: Table,
-    pursuit: Pursuit,
-    aim: Aim,
-    turns: Floats,
-    columns: Columns,
-    tolerance: float,
-    most_steps: int,
-) -> Found:
-    """Ascend from `turns` and `columns`, which are overwritten."""
-    scratch = ascent_scratch(len(turns), aim.total)
-    box = WARM_BOX if columns.used[0] > 0 else BARE_BOX
-    value, ended, cost = climb(
-        evaders, pursuit, aim, turns, columns, box, tolerance, most_steps, -math.inf, scratch
-    )
-    return _found(evaders, pursuit, aim, value, ended, cost, turns, columns, scratch)
-
-
-@allocating
-def search_all(
-    evaders: Table,
-    pursuit: Pursuit,
-    aim: Aim,
-    noise: Table,
-    count: int,
-    tolerance: float,
-    most_steps: int,
-    elite: Elite,
-) -> Found:
-    """`search`, with scratch of its own."""
-    n = len(evaders)
-    turns, columns, scratch = np.zeros(n), make_columns(n), search_scratch(n, aim.total)
-    value, ended, cost = search(
-        evaders,
-        n,
-        pursuit,
-        aim,
-        noise,
-        count,
-        -math.inf,
-        tolerance,
-        most_steps,
-        turns,
-        columns,
-        elite,
-        scratch,
-    )
-    return _found(evaders, pursuit, aim, value, ended, cost, turns, columns, scratch.ascent)
-
-
-@allocating
-def follow_one(
-    evaders: Table,
-    pursuit: Pursuit,
-    aim: Aim,
-    noise: Table,
-    start: int,
-    tolerance: float,
-    most_steps: int,
-    elite: Elite,
-) -> Found:
-    """`follow`, with scratch of its own."""
-    n = len(evaders)
-    scratch = search_scratch(n, aim.total)
-    value, ended, cost = follow(
-        evaders, n, pursuit, aim, noise, start, tolerance, most_steps, elite, scratch
-    )
-    turns, columns = scratch.turns, scratch.columns
-    return _found(evaders, pursuit, aim, value, ended, cost, turns, columns, scratch.ascent)
-
-
-@allocating
-def _found(
-    evaders: Table,
-    pursuit: Pursuit,
-    aim: Aim,
-    value: float,
-    ended: int,
-    cost: Tally,
-    turns: Floats,
-    columns: Columns,
-    scratch: AscentScratch,
-) -> Found:
-    """What was found, with what each column comes to."""
-    set_paths(evaders, turns, pursuit.speed, scratch.here.paths)
-    evaluate(scratch.here, len(turns), pursuit, aim.total, columns)
-    values = scratch.here.values[: columns.used[0]].copy()
-    return Found(value, ended, cost, turns, columns, values)

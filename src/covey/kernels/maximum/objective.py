@@ -1,42 +1,52 @@
-"""What a team wants, as the kernels see it: which captures count, and against whom."""
+"""The objective as the kernels see it: which captures count, and over which sequences."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.maximum.working_set import Columns, move_without
+from covey.kernels.arrays import Floats, Ints
+from covey.kernels.maximum.working_set import without
 
 
-class Aim(NamedTuple):
-    """The least over all sequences, or the mean over some, of the last capture or of the sum."""
+class Draws(NamedTuple):
+    """The capture sequences that an expected pursuer draws from."""
 
-    total: bool  # the sum of all capture times, not the last one alone
-    expected: bool  # the mean over sequences that are drawn, not the least over all
-    draws: Columns  # those sequences; their weights are probabilities
+    used: Ints  # (1,) how many rows are in use
+    sequences: Ints  # (K, n)
+    probabilities: Floats  # (K,)
+
+
+class Objective(NamedTuple):
+    """The minimum over all sequences, or the mean over drawn ones, of last capture or total."""
+
+    total: bool  # the sum of all capture times; else the last capture
+    expected: bool  # the mean over the drawn sequences; else the minimum over all sequences
+    draws: Draws  # empty unless `expected`
 
 
 @inlined
-def spent(since: float, n: int, total: bool) -> float:
-    """By how much less a plan for n evaders is worth after a time in which it was flown."""
-    return since * n if total else since
+def elapsed_value(elapsed: float, n: int, total: bool) -> float:
+    """Return by how much the value of a plan for n evaders falls while the plan is flown."""
+    return elapsed * n if total else elapsed
 
 
 @compiled
-def rule_out(draws: Columns, n: int, row: int) -> None:
-    """Keep the sequences of n evaders that begin with the captured one, and take it out of them.
+def condition_on_capture(draws: Draws, n: int, evader: int) -> None:
+    """Condition the draws of n evaders on the capture of one evader first, and remove the evader.
 
-    Where none does, the pursuer isn't the one expected, and all are kept.
+    Where no drawn sequence begins with this evader, the pursuer isn't the expected one, and all
+    sequences are kept.
     """
     likely = 0.0
     for s in range(draws.used[0]):
-        if draws.sequences[s, 0] == row:
-            likely += draws.weights[s]
+        if draws.sequences[s, 0] == evader:
+            likely += draws.probabilities[s]
     kept = 0
     for s in range(draws.used[0]):
-        if likely > 0.0 and draws.sequences[s, 0] != row:
+        if likely > 0.0 and draws.sequences[s, 0] != evader:
             continue
-        move_without(draws, n, row, s, kept)
-        draws.weights[kept] = draws.weights[s] / likely if likely > 0.0 else draws.weights[s]
+        without(draws.sequences[s, :n], evader, draws.sequences[kept])
+        draws.probabilities[kept] = draws.probabilities[s] / (likely if likely > 0.0 else 1.0)
         kept += 1
     draws.used[0] = kept

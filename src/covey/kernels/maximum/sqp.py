@@ -1,8 +1,8 @@
-"""One local maximum of the guaranteed survival time (eq. 6), by sequential quadratic programming.
+"""A local maximum of the guaranteed value (eq. 6), by sequential quadratic programming.
 
-Column generation: only a few sequences, the columns, are carried along; at every trial point the
-search for the worst sequence says exactly whether another sequence is worse, and that one joins.
-A step is the best of the local model inside a box that shrinks when a step disappoints.
+Constraint generation: an ascent keeps the few sequences of its working set. At every trial that
+rises, the inner minimum says exactly whether another sequence is worse, and that sequence is added.
+A step maximises the local model in a trust region, which shrinks when the gain falls short.
 """
 
 from __future__ import annotations
@@ -10,347 +10,352 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-
-from covey.kernels._jit import allocating, compiled, inlined
-from covey.kernels.arrays import Floats, Ints, Pursuit, Table
-from covey.kernels.capture.path import set_paths
-from covey.kernels.maximum.curvature import drifted, shape, take_way, ways_off
+from covey.kernels._jit import compiled, inlined
+from covey.kernels.maximum.curvature import HessianStatus, factor_hessian, multipliers_changed
 from covey.kernels.maximum.local_model import (
     ModelScratch,
     best_step,
+    build_model,
     corrected_step,
     linearise,
-    linearise_one,
-    model_scratch,
-    unit_of,
+    power_of_two_scale,
 )
-from covey.kernels.maximum.working_set import (
-    Columns,
-    Point,
+from covey.kernels.maximum.problem import (
+    CONVERGED,
+    INNER_SOLVES,
+    INTERCEPTIONS,
+    STALLED,
+    STEPS,
+    STEPS_USED_UP,
+    Iterate,
+    Options,
+    Problem,
+)
+from covey.kernels.maximum.trial import (
+    MIN_RADIUS,
+    AscentScratch,
+    accept,
+    best_escape_step,
     evaluate,
-    evaluate_one,
-    join,
-    make_columns,
-    make_point,
+    evaluate_sequence,
+    longest_change,
+    try_step,
+    updated_radius,
 )
-from covey.kernels.minimum.inner_minimum import WorstScratch, least_value, worst_scratch
+from covey.kernels.maximum.working_set import Evaluation, WorkingSet, add
+from covey.kernels.minimum.inner_minimum import inner_minimum
 
-CONVERGED, STALLED, STEPS_USED_UP = range(3)
+_MAX_CORRECTIONS = 3
+_ROUNDING, _REFUTED = 1e-12, 1e-9  # relative
+_MIN_GAIN_RATIO = 0.8  # below, a step is corrected
 
-LEAST_BOX = 1e-9
-"""An ascent ends when it may change turns by no more."""
-
-_MOST_CORRECTIONS = 3
-_ROUNDING, _REFUTED = 1e-12, 1e-9
-_DISAPPOINTING = 0.8  # share of the promise below which a step is corrected
-
-
-class AscentScratch(NamedTuple):
-    """Arrays of an ascent with n evaders and up to m columns."""
-
-    here: Point
-    there: Point  # of the trial
-    turns: Floats  # (n,) of the trial
-    first_turns: Floats  # (n,) of the trial before its correction
-    found: Ints  # (n,) the sequence that the search for the worst found
-    worst: WorstScratch
-    model: ModelScratch
-    one: Columns  # a single column, which stands for a mean
+_REBUILD, _STOP, _STEP = range(3)
+"""What follows where the model predicts no gain."""
 
 
-class Tally(NamedTuple):
-    """What an ascent cost."""
+class Points(NamedTuple):
+    """The working set at the iterate and at the trial. An accepted step swaps the two."""
 
-    steps: int
-    programmes: int
-    interceptions: int
+    here: Evaluation
+    there: Evaluation
 
 
-@allocating
-def ascent_scratch(n: int, total: bool = False) -> AscentScratch:
-    """Allocate the scratch of `ascend` for teams of up to n."""
-    one = make_columns(n)
-    one.used[0], one.weights[0] = 1, 1.0
-    return AscentScratch(
-        make_point(n),
-        make_point(n),
-        np.empty(n),
-        np.empty(n),
-        np.empty(n, np.int64),
-        worst_scratch(n, total),
-        model_scratch(n),
-        one,
-    )
+class Progress(NamedTuple):
+    """What is known at the iterate."""
+
+    value: float  # exact, or the working set's, which is an upper bound
+    is_exact: bool
+    lower_bound: float  # of the exact value at the first iterate; -inf: unknown
+    bound_attained: bool  # the first iterate's value is the lower bound, and no step was taken
+    is_reweighted: bool  # the Hessian has been weighted with the multipliers found here
+
+
+class Model(NamedTuple):
+    """How the local model was made, and what its best step promises."""
+
+    scale: float  # power of two that the times are multiplied by
+    hessian: HessianStatus
+    predicted: float  # value of the model at its best step
 
 
 @compiled
-def ascend(
-    evaders: Table,
-    pursuit: Pursuit,
-    total: bool,
-    turns: Floats,
-    columns: Columns,
-    box: float,
-    tolerance: float,
-    most_steps: int,
-    known: float,
+def solve_sqp(
+    problem: Problem,
+    iterate: Iterate,
+    options: Options,
+    lower_bound: float,
     scratch: AscentScratch,
-) -> tuple[float, int, Tally]:
-    """Improve `turns` in place to a local maximum; return its exact value, how it ended, the cost.
+) -> tuple[float, int]:
+    """Ascend to a local maximum of the minimum over all capture sequences.
 
-    The value, the least over all sequences of the last capture or of the `total`, never falls below
-    that of the turns given. `box` is the largest first change of a turn; the ascent has converged
-    when the model promises less than `tolerance`, relative. The turns are `known` to be worth so
-    much at least (-inf: nothing is known), unless a column refutes it, as where the last plan was
-    not flown. Where a column says that they aren't worth more, the worst sequence needn't be
-    searched. Nor need it be where a step leads to turns that are worth more than the columns before
-    it. A step whose promise came true to `tolerance` is the last: what the next would gain is less
-    than what the model was wrong by. One that was straightened, or has the curvature of columns
-    that the step leaves alone, may be too stiff: it is trusted only where something is known.
+    1. Start: evaluate the working set. The inner minimum is skipped where the working set attains
+       `lower_bound`, which then is the value.
+    2. Propose: build the local model where the iterate or the weights are new, and maximise it.
+    3. Stop, where the model predicts no gain: make the value exact, weight the Hessian with the
+       new multipliers, try the escapes off a saddle; then end as converged.
+    4. Try the step, with second-order corrections and the sequences found missing at the trial.
+    5. Accept a trial that rises. Where the gain came out as predicted, it is the last step: the
+       next step would gain less than the model's error.
+    6. Update the trust region. A radius below `MIN_RADIUS` ends the ascent as stalled.
+
+    The value never falls below that of the first iterate.
+
+    Parameters
+    ----------
+    problem
+        The living evaders (n), the pursuit, the objective (`expected` is ignored).
+    iterate
+        (n,) turns and the working set; modified in place.
+    options
+        First radius of the trust region, tolerance, largest number of steps.
+    lower_bound
+        Of the exact value at the given turns; -inf: unknown. A sequence that refutes the bound
+        makes it -inf, as where the last plan was not flown.
+    scratch
+        Modified in place, `scratch.counters` too.
+
+    Returns
+    -------
+    float
+        The exact value at the turns.
+    int
+        CONVERGED, STALLED or STEPS_USED_UP.
     """
-    n = len(turns)
-    here, there = scratch.here, scratch.there
-    set_paths(evaders, turns, pursuit.speed, here.paths)
-    value = evaluate(here, n, pursuit, total, columns)
-    programmes = interceptions = steps = 0
-    ended = STEPS_USED_UP
-    if value < known * (1.0 - _REFUTED):
-        known = -math.inf
-    settled = value <= known * (1.0 + _ROUNDING)
-    if settled:
-        value = known
-    exact = settled  # if not, the value is that of the columns, and may be less
-    if columns.used[0] == 0:
-        value, _, interceptions = _exact_value(here, n, pursuit, total, columns, value, scratch)
-        programmes, exact = 1, True
-    straightened, mended, unit = False, False, 1.0
-    moved, looked = True, False  # gradients and curvature belong to other turns, to these weights
-    while steps < most_steps:
-        if moved:
-            unit = unit_of(value)
-            linearise(here, n, pursuit, total, columns, unit, scratch.model)
-            straightened, mended = shape(n, columns, here.values, True, unit, scratch.model)
-        promise = best_step(turns, n, columns, here.values, box, unit, scratch.model)
-        if straightened and promise - value <= tolerance * value:
-            straightened, mended = shape(n, columns, here.values, False, unit, scratch.model)
-            promise = best_step(turns, n, columns, here.values, box, unit, scratch.model)
-        if promise - value <= tolerance * value:
-            if not exact:
-                value, joined, cost = _exact_value(here, n, pursuit, total, columns, value, scratch)
-                programmes += 1
-                interceptions += cost
-                exact = moved = True
-                if joined >= 0:
-                    continue
-            if settled and steps == 0:  # it was no saddle when it was found
-                ended = CONVERGED
-                break
-            if not looked and drifted(columns, scratch.model):
-                looked = moved = True
-                continue
-            promise = _way_off_a_saddle(
-                evaders, n, pursuit, total, turns, columns, here, unit, there, scratch
+    points = Points(scratch.here, scratch.there)
+    progress = _start(problem, iterate, lower_bound, points.here, scratch)
+    model, is_stale = Model(1.0, HessianStatus(False, False), -math.inf), True
+    status, steps = STEPS_USED_UP, 0
+    while status == STEPS_USED_UP and steps < options.max_steps:
+        if is_stale:
+            model = _fit(problem, iterate, progress.value, points.here, scratch.model)
+        model = _propose(iterate, options, progress, model, points.here, scratch.model)
+        if model.predicted - progress.value <= options.tolerance * progress.value:
+            action, progress, model = _without_gain(
+                problem, iterate, options, progress, model, points, scratch
             )
-            if promise - value <= 2.0 * tolerance * value:
-                ended = CONVERGED
-                break
+            if action != _STEP:
+                is_stale, status = True, CONVERGED if action == _STOP else STEPS_USED_UP
+                continue
         steps += 1
-        trial, value, asked, cost = _step_and_correct(
-            evaders,
-            n,
-            pursuit,
-            total,
-            turns,
-            columns,
-            value,
-            exact,
-            promise,
-            box,
-            unit,
-            here,
-            there,
-            scratch,
-        )
-        programmes += asked
-        interceptions += cost
-        gained = (trial - value) / (promise - value)
-        longest = 0.0
-        for i in range(n):
-            longest = max(longest, abs(scratch.turns[i] - turns[i]))
-        moved = gained > 0.0
-        if moved:
-            value, exact = trial, True
-            for i in range(n):
-                turns[i] = scratch.turns[i]
-            here, there = there, here
-            came_true = longest < box and abs(trial - promise) <= tolerance * value
-            trusted = known > -math.inf or not (straightened or drifted(columns, scratch.model))
-            if came_true and trusted and not mended:
-                ended = CONVERGED
-                break
-            looked = False
-        box = resized(box, gained, longest)
-        if box < LEAST_BOX:
-            ended = STALLED
-            break
-    if not exact:
-        value, _, cost = _exact_value(here, n, pursuit, total, columns, value, scratch)
-        programmes += 1
-        interceptions += cost
-    return value, ended, Tally(steps, programmes, interceptions)
+        trial, value = _step(problem, iterate, options, progress, model, points, scratch)
+        gain_ratio = (trial - value) / (model.predicted - value)
+        longest = longest_change(iterate, scratch)
+        is_stale = gain_ratio > 0.0
+        progress = _after_step(progress, trial, value, is_stale)
+        if is_stale:
+            accept(iterate, scratch)
+            points = Points(points.there, points.here)
+            if _is_last(iterate, options, progress, model, longest, scratch.model):
+                status = CONVERGED
+        options = _with_radius(options, updated_radius(options.radius, gain_ratio, longest))
+        if status != CONVERGED and options.radius < MIN_RADIUS:
+            status = STALLED
+    scratch.counters[STEPS] += steps
+    value = progress.value
+    if not progress.is_exact:
+        value, _ = _make_exact(problem, iterate.working_set, points.here, value, scratch)
+    for s in range(iterate.working_set.used[0]):
+        iterate.working_set.values[s] = points.here.values[s]
+    return value, status
 
 
 @inlined
-def _step_and_correct(
-    evaders: Table,
-    n: int,
-    pursuit: Pursuit,
-    total: bool,
-    turns: Floats,
-    columns: Columns,
-    value: float,
-    exact: bool,
-    promise: float,
-    box: float,
-    unit: float,
-    here: Point,
-    there: Point,
+def _start(
+    problem: Problem,
+    iterate: Iterate,
+    lower_bound: float,
+    here: Evaluation,
     scratch: AscentScratch,
-) -> tuple[float, float, int, int]:
-    """Try the step; correct it where it disappoints, also by columns that join because of it.
+) -> Progress:
+    """Evaluate the first iterate; the inner minimum is solved where the working set is empty."""
+    value = evaluate(problem, iterate.turns, iterate.working_set, here)
+    if value < lower_bound * (1.0 - _REFUTED):
+        lower_bound = -math.inf
+    attained = value <= lower_bound * (1.0 + _ROUNDING)
+    if attained:
+        value = lower_bound
+    if iterate.working_set.used[0] == 0:
+        value, _ = _make_exact(problem, iterate.working_set, here, value, scratch)
+        return Progress(value, True, lower_bound, attained, False)
+    return Progress(value, attained, lower_bound, attained, False)
 
-    Returns the value there, which is exact if it is above that where the step began; the latter,
-    which a column that joins may lower unless it is `exact`; programmes and interceptions.
+
+@inlined
+def _fit(
+    problem: Problem, iterate: Iterate, value: float, here: Evaluation, scratch: ModelScratch
+) -> Model:
+    """Build the local model at the iterate, and factor its Hessian, convexified where needed."""
+    scale, n = power_of_two_scale(value), len(iterate.turns)
+    build_model(problem, iterate.working_set, here, scale, scratch)
+    hessian = factor_hessian(n, iterate.working_set, here.values, True, scale, scratch)
+    return Model(scale, hessian, -math.inf)
+
+
+@inlined
+def _propose(
+    iterate: Iterate,
+    options: Options,
+    progress: Progress,
+    model: Model,
+    here: Evaluation,
+    scratch: ModelScratch,
+) -> Model:
+    """Write the best step; without the penalty where a convexified model predicts no gain."""
+    hessian, scale = model.hessian, model.scale
+    predicted = best_step(iterate, here.values, options.radius, scale, scratch)
+    no_gain = predicted - progress.value <= options.tolerance * progress.value
+    if hessian.convexified and no_gain:
+        n, working_set = len(iterate.turns), iterate.working_set
+        hessian = factor_hessian(n, working_set, here.values, False, scale, scratch)
+        predicted = best_step(iterate, here.values, options.radius, scale, scratch)
+    return Model(scale, hessian, predicted)
+
+
+@inlined
+def _without_gain(
+    problem: Problem,
+    iterate: Iterate,
+    options: Options,
+    progress: Progress,
+    model: Model,
+    points: Points,
+    scratch: AscentScratch,
+) -> tuple[int, Progress, Model]:
+    """Decide what follows where the model predicts no gain.
+
+    Returns `_REBUILD` where the working set or the weights of the Hessian change, `_STEP` where an
+    escape leads off a saddle, else `_STOP`; then what is known, and the prediction.
     """
-    trial = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
-    programmes = interceptions = 0
-    for _ in range(_MOST_CORRECTIONS):
-        if columns.used[0] > 1 and trial - value < _DISAPPOINTING * (promise - value):
-            bar = max(trial, value)
-            trial = _correct(
-                evaders, n, pursuit, total, turns, columns, bar, box, unit, there, scratch
-            )
+    value, working_set, lower_bound = progress.value, iterate.working_set, progress.lower_bound
+    attained, is_reweighted = progress.bound_attained, progress.is_reweighted
+    if not progress.is_exact:
+        value, added = _make_exact(problem, working_set, points.here, value, scratch)
+        progress = Progress(value, True, lower_bound, attained, is_reweighted)
+        if added >= 0:
+            return _REBUILD, progress, model
+    if attained:  # the turns were no saddle when they were found
+        return _STOP, progress, model
+    if not is_reweighted and multipliers_changed(working_set, scratch.model):
+        return _REBUILD, Progress(value, True, lower_bound, attained, True), model
+    predicted = best_escape_step(problem, iterate, points.here, points.there, model.scale, scratch)
+    action = _STOP if predicted - value <= 2.0 * options.tolerance * value else _STEP
+    return action, progress, Model(model.scale, model.hessian, predicted)
+
+
+@inlined
+def _step(
+    problem: Problem,
+    iterate: Iterate,
+    options: Options,
+    progress: Progress,
+    model: Model,
+    points: Points,
+    scratch: AscentScratch,
+) -> tuple[float, float]:
+    """Try the step; correct it where the gain falls short, also for sequences that are added.
+
+    Returns the value of the trial, which is exact if it is above the iterate's; and the iterate's
+    value, which a sequence that is added may lower unless that value is exact.
+    """
+    here, there, value, working_set = points.here, points.there, progress.value, iterate.working_set
+    trial = try_step(problem, iterate, there, scratch)
+    for _ in range(_MAX_CORRECTIONS):
+        falls_short = trial - value < _MIN_GAIN_RATIO * (model.predicted - value)
+        if working_set.used[0] > 1 and falls_short:
+            value_to_beat = max(trial, value)
+            trial = _correct(problem, iterate, options.radius, model, value_to_beat, there, scratch)
         if trial <= value:
             break
-        trial, joined, cost = _exact_value(there, n, pursuit, total, columns, trial, scratch)
-        programmes += 1
-        interceptions += cost
-        if joined < 0:
+        trial, added = _make_exact(problem, working_set, there, trial, scratch)
+        if added < 0:
             break
-        joined_value = evaluate_one(here, n, pursuit, total, columns, joined)
-        linearise_one(here, n, pursuit, total, columns, joined, unit, scratch.model)
-        if not exact:
-            value = min(value, joined_value)
+        added_value = evaluate_sequence(problem, working_set, added, here)
+        linearise(problem, working_set, here, added, model.scale, scratch.model)
+        if not progress.is_exact:
+            value = min(value, added_value)
         if trial > value:
             break
-    return trial, value, programmes, interceptions
+    return trial, value
 
 
 @inlined
-def resized(box: float, gained: float, longest: float) -> float:
-    """The box of the next step, after one that changed a turn by at most `longest`.
+def _after_step(progress: Progress, trial: float, value: float, accepted: bool) -> Progress:
+    """What is known after a step from an iterate that is worth `value`, perhaps to the trial."""
+    if accepted:
+        return Progress(trial, True, progress.lower_bound, False, False)
+    return Progress(value, progress.is_exact, progress.lower_bound, False, progress.is_reweighted)
 
-    It `gained` such a share of what was promised.
+
+@inlined
+def _is_last(
+    iterate: Iterate,
+    options: Options,
+    progress: Progress,
+    model: Model,
+    longest: float,
+    scratch: ModelScratch,
+) -> bool:
+    """Whether an accepted step inside the trust region gained what its model predicted.
+
+    A Hessian that was convexified, or weighted with multipliers that have changed since, may be too
+    stiff to stop on; such a model ends only a warm start (`lower_bound` > -inf).
     """
-    if gained < 0.25:
-        return (0.7 if gained > -1.0 else 0.35) * longest
-    if gained > 0.7:
-        return min(max(box, 1.5 * longest), math.pi)
-    return box
+    exact_model = abs(progress.value - model.predicted) <= options.tolerance * progress.value
+    trusted = progress.lower_bound > -math.inf or not (
+        model.hessian.convexified or multipliers_changed(iterate.working_set, scratch)
+    )
+    return longest < options.radius and exact_model and trusted and not model.hessian.modified
 
 
-@compiled
-def _try_step(
-    evaders: Table,
-    n: int,
-    pursuit: Pursuit,
-    total: bool,
-    turns: Floats,
-    columns: Columns,
-    there: Point,
-    scratch: AscentScratch,
-) -> float:
-    """Move `turns` by the step; return the least of the columns there, no less than the value."""
-    for i in range(n):
-        scratch.turns[i] = min(max(turns[i] + scratch.model.step[i], -math.pi), math.pi)
-    set_paths(evaders, scratch.turns[:n], pursuit.speed, there.paths)
-    return evaluate(there, n, pursuit, total, columns)
+@inlined
+def _with_radius(options: Options, radius: float) -> Options:
+    return Options(radius, options.tolerance, options.max_steps)
 
 
 @compiled
 def _correct(
-    evaders: Table,
-    n: int,
-    pursuit: Pursuit,
-    total: bool,
-    turns: Floats,
-    columns: Columns,
-    bar: float,
-    box: float,
-    unit: float,
-    there: Point,
+    problem: Problem,
+    iterate: Iterate,
+    radius: float,
+    model: Model,
+    value_to_beat: float,
+    there: Evaluation,
     scratch: AscentScratch,
 ) -> float:
-    """Replace a trial that disappoints by its second-order correction, if that is above the bar."""
+    """Replace the trial by its second-order correction where that is above `value_to_beat`."""
+    n = len(iterate.turns)
     for i in range(n):
         scratch.first_turns[i] = scratch.turns[i]
-    corrected_step(turns, scratch.turns, n, columns, there.values, box, unit, scratch.model)
-    second = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
-    if second > bar:
-        return second
+    trial = scratch.turns[:n]
+    corrected_step(iterate, trial, there.values, radius, model.scale, scratch.model)
+    corrected = try_step(problem, iterate, there, scratch)
+    if corrected > value_to_beat:
+        return corrected
     for i in range(n):
         scratch.turns[i] = scratch.first_turns[i]
-    set_paths(evaders, scratch.turns[:n], pursuit.speed, there.paths)
-    return evaluate(there, n, pursuit, total, columns)
+    return evaluate(problem, trial, iterate.working_set, there)
 
 
 @compiled
-def _exact_value(
-    point: Point,
-    n: int,
-    pursuit: Pursuit,
-    total: bool,
-    columns: Columns,
+def _make_exact(
+    problem: Problem,
+    working_set: WorkingSet,
+    point: Evaluation,
     bound: float,
     scratch: AscentScratch,
-) -> tuple[float, int, int]:
-    """The exact minimum over all sequences, where `bound` is the least of the columns.
+) -> tuple[float, int]:
+    """Return the inner minimum, where `bound` is the minimum over the working set.
 
-    Returns also the column that joined because it is below the bound, or -1, and the cost.
+    Returns also the row of the sequence that is added because it is below the bound, or -1.
     """
-    least, interceptions = least_value(
-        point.paths, n, pursuit, total, bound, scratch.found, scratch.worst
+    n, total = len(problem.evaders), problem.objective.total
+    worst, added = scratch.worst[:n], -1
+    least, interceptions = inner_minimum(
+        point.paths[:n], problem.pursuit, total, bound, worst, scratch.inner
     )
-    joined = -1
     if least < bound:
-        joined = join(columns, n, scratch.found, point.values)
-        evaluate_one(point, n, pursuit, total, columns, joined)
-    return least, joined, interceptions
-
-
-@compiled
-def _way_off_a_saddle(
-    evaders: Table,
-    n: int,
-    pursuit: Pursuit,
-    total: bool,
-    turns: Floats,
-    columns: Columns,
-    here: Point,
-    unit: float,
-    there: Point,
-    scratch: AscentScratch,
-) -> float:
-    """Write the step that leads highest off a saddle or a plateau; return what the columns reach.
-
-    Where no gradient is left the ascent may stand on one. -inf if everything bends downwards.
-    """
-    best, highest = -1, -math.inf
-    for way in range(ways_off(n, columns, here.values, unit, scratch.model)):
-        take_way(way, n, scratch.model)
-        reached = _try_step(evaders, n, pursuit, total, turns, columns, there, scratch)
-        if reached > highest:
-            best, highest = way, reached
-    take_way(best, n, scratch.model)
-    return highest
+        added = add(working_set, worst, point.values)
+        evaluate_sequence(problem, working_set, added, point)
+    scratch.counters[INNER_SOLVES] += 1
+    scratch.counters[INTERCEPTIONS] += interceptions
+    return least, added

@@ -1,6 +1,7 @@
-"""The columns: the few capture sequences that matter to a plan, carried from step to step.
+"""The working set: the few capture sequences whose constraints z <= f_s an ascent keeps.
 
-The value of a plan is the least of its columns as soon as the worst sequence is among them.
+The value of a plan is the minimum over the working set as soon as the worst sequence is in it.
+Sequences that are missing are found by the inner minimum and added (constraint generation).
 """
 
 from __future__ import annotations
@@ -10,127 +11,129 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels._jit import allocating, compiled, inlined
-from covey.kernels.arrays import Floats, Ints, Pursuit, Table
+from covey.kernels._jit import compiled, inlined
+from covey.kernels.arrays import Floats, Ints, Workspace, float_rows, floats, int_rows, ints
 from covey.kernels.capture.path import PATH
-from covey.kernels.capture.sequence import capture_times, measured
 
 
-class Columns(NamedTuple):
-    """The sequences that matter, kept from one ascent to the next: first `used[0]` rows."""
+class WorkingSet(NamedTuple):
+    """Capture sequences and their multipliers, kept from one ascent to the next."""
 
-    used: Ints  # (1,) how many rows
+    used: Ints  # (1,) how many rows are in use
     sequences: Ints  # (m, n)
-    weights: Floats  # (m,) multipliers of the last step: the sequences' shares in its curvature
+    weights: Floats  # (m,) multipliers of the last step, >= 0: the shares in the Hessian
+    values: Floats  # (m,) objective of each sequence where the last ascent ended
 
 
-class Point(NamedTuple):
-    """What there is to know at some turns of n evaders, for up to m columns."""
+class Evaluation(NamedTuple):
+    """The working set at some turns."""
 
-    paths: Table  # (n, PATH)
-    times: Table  # (m, n) capture times of each column
-    values: Floats  # (m,) what is measured of them
-
-
-@compiled
-def most_columns(n: int) -> int:
-    """How many sequences are carried for a team of n: n + 1 can be active at once."""
-    return 2 * n + 4
-
-
-@allocating
-def make_columns(n: int) -> Columns:
-    """Columns of a team of up to n, none yet."""
-    m = most_columns(n)
-    return Columns(np.zeros(1, np.int64), np.empty((m, n), np.int64), np.zeros(m))
-
-
-@allocating
-def make_point(n: int) -> Point:
-    """Room for a point of up to n turns."""
-    m = most_columns(n)
-    return Point(np.empty((n, PATH)), np.empty((m, n)), np.empty(m))
-
-
-@compiled
-def evaluate(point: Point, n: int, pursuit: Pursuit, total: bool, columns: Columns) -> float:
-    """Write what the columns come to on the point's paths; return the least."""
-    least = math.inf
-    for s in range(columns.used[0]):
-        least = min(least, evaluate_one(point, n, pursuit, total, columns, s))
-    return least
+    paths: Floats  # (n, PATH)
+    times: Floats  # (m, n) capture times of each sequence
+    values: Floats  # (m,) objective of each sequence
 
 
 @inlined
-def evaluate_one(
-    point: Point, n: int, pursuit: Pursuit, total: bool, columns: Columns, s: int
-) -> float:
-    """Write what column s comes to, and return it."""
-    capture_times(point.paths, pursuit, columns.sequences[s, :n], point.times[s])
-    point.values[s] = measured(point.times[s], n, total)
-    return point.values[s]
+def capacity(n: int) -> int:
+    """Return how many sequences a working set of n evaders holds: n + 1 can be active at once."""
+    return 2 * n + 4
+
+
+def new_working_set(n: int) -> WorkingSet:
+    """Allocate an empty working set of up to n evaders."""
+    m = capacity(n)
+    return WorkingSet(np.zeros(1, np.int64), np.empty((m, n), np.int64), np.zeros(m), np.empty(m))
+
+
+@inlined
+def working_set_scratch(workspace: Workspace) -> WorkingSet:
+    """Carve a working set; its contents are those of the call before."""
+    n = workspace.size
+    m = capacity(n)
+    return WorkingSet(
+        ints(workspace, 1), int_rows(workspace, m, n), floats(workspace, m), floats(workspace, m)
+    )
+
+
+@inlined
+def evaluation_scratch(workspace: Workspace) -> Evaluation:
+    """Carve an evaluation."""
+    n = workspace.size
+    m = capacity(n)
+    return Evaluation(
+        float_rows(workspace, n, PATH), float_rows(workspace, m, n), floats(workspace, m)
+    )
 
 
 @compiled
-def join(columns: Columns, n: int, sequence: Ints, values: Floats) -> int:
-    """Add a column; where all rows are taken, in place of the idle one of the largest value."""
-    slot = columns.used[0]
-    if slot < len(columns.weights):
-        columns.used[0] += 1
+def add(working_set: WorkingSet, sequence: Ints, values: Floats) -> int:
+    """Add a sequence with multiplier 0; return its row.
+
+    Where all rows are in use, the inactive sequence of the largest value is replaced.
+    """
+    row = working_set.used[0]
+    if row < len(working_set.weights):
+        working_set.used[0] += 1
     else:
-        slot, idlest = 0, -math.inf
-        for s in range(len(columns.weights)):
-            if columns.weights[s] == 0.0 and values[s] > idlest:
-                slot, idlest = s, values[s]
-    for k in range(n):
-        columns.sequences[slot, k] = sequence[k]
-    columns.weights[slot] = 0.0
-    return slot
+        row, largest = 0, -math.inf
+        for s in range(len(working_set.weights)):
+            if working_set.weights[s] == 0.0 and values[s] > largest:
+                row, largest = s, values[s]
+    for k in range(len(sequence)):
+        working_set.sequences[row, k] = sequence[k]
+    working_set.weights[row] = 0.0
+    return row
 
 
 @compiled
-def copy_columns(source: Columns, n: int, target: Columns) -> None:
-    """Copy the columns of n evaders."""
+def copy_working_set(source: WorkingSet, n: int, target: WorkingSet) -> None:
+    """Copy the sequences of n evaders with their multipliers and values."""
     target.used[0] = source.used[0]
     for s in range(source.used[0]):
-        target.weights[s] = source.weights[s]
+        target.weights[s], target.values[s] = source.weights[s], source.values[s]
         for k in range(n):
             target.sequences[s, k] = source.sequences[s, k]
 
 
 @compiled
-def forget_captured(columns: Columns, n: int, row: int) -> None:
-    """Take a captured evader out of the columns of n; columns that fall together become one."""
+def drop_evader(working_set: WorkingSet, n: int, evader: int) -> None:
+    """Remove a captured evader from the sequences of n evaders; merge sequences that become equal.
+
+    The evaders behind the captured evader are renumbered.
+    """
     kept = 0
-    for s in range(columns.used[0]):
-        move_without(columns, n, row, s, kept)
-        columns.weights[kept] = columns.weights[s]
-        twin = _twin(columns, kept, n - 1)
-        if twin >= 0:
-            columns.weights[twin] += columns.weights[kept]
+    for s in range(working_set.used[0]):
+        without(working_set.sequences[s, :n], evader, working_set.sequences[kept])
+        working_set.weights[kept] = working_set.weights[s]
+        duplicate = _find_duplicate(working_set, kept, n - 1)
+        if duplicate >= 0:
+            working_set.weights[duplicate] += working_set.weights[kept]
         else:
             kept += 1
-    columns.used[0] = kept
+    working_set.used[0] = kept
 
 
 @inlined
-def move_without(columns: Columns, n: int, row: int, s: int, slot: int) -> None:
-    """Write sequence s of n without `row` to an earlier slot, or its own; later rows move up."""
+def without(sequence: Ints, evader: int, target: Ints) -> None:
+    """Write a sequence without one evader, and the evaders behind it renumbered, to `target`.
+
+    `target` may be the sequence itself.
+    """
     k = 0
-    for j in range(n):
-        i = columns.sequences[s, j]
-        if i != row:
-            columns.sequences[slot, k] = i - (i > row)
+    for j in range(len(sequence)):
+        i = sequence[j]
+        if i != evader:
+            target[k] = i - (i > evader)
             k += 1
 
 
 @compiled
-def _twin(columns: Columns, s: int, n: int) -> int:
-    """An earlier column with the same sequence, or -1."""
+def _find_duplicate(working_set: WorkingSet, s: int, n: int) -> int:
+    """Return an earlier row with the sequence of row s, or -1."""
     for other in range(s):
         same = True
         for k in range(n):
-            same = same and columns.sequences[other, k] == columns.sequences[s, k]
+            same = same and working_set.sequences[other, k] == working_set.sequences[s, k]
         if same:
             return other
     return -1

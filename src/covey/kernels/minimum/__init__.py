@@ -1,1 +1,5 @@
-"""The inner half of eq. 6: the minimum over all capture sequences."""
+"""The inner half of eq. 6: the minimum over all capture sequences.
+
+Read `labels` and `last_capture`, the dynamic programme; `deadlines` and `greedy_sequence` prune it.
+`total_time` is the same for the sum of capture times; `inner_minimum` chooses between the two.
+"""

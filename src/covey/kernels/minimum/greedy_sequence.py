@@ -1,128 +1,122 @@
-"""A short capture sequence, found in no time: the bound with which the exact search starts."""
+"""A short capture sequence by greedy search: the upper bound with which the exact search begins."""
 
 from __future__ import annotations
 
 import math
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Ints, Pursuit, Table
+from covey.kernels.arrays import Floats, Ints
 from covey.kernels.capture.interception import earliest_capture
-from covey.kernels.capture.path import position
+from covey.kernels.capture.pursuit import Pursuit, disk_after, initial_disk
 
-_FEWEST = 10  # below, looking for a shorter sequence takes longer than the search that it prunes
+_FEWEST = 10  # below, improving the sequence takes longer than the search that it prunes
 
 
 @compiled
-def short_sequence(paths: Table, n: int, pursuit: Pursuit, sequence: Ints, times: Floats) -> float:
-    """Write a short sequence of n evaders and its capture times; return the last of them.
+def greedy_sequence(paths: Floats, pursuit: Pursuit, sequence: Ints, times: Floats) -> float:
+    """Write a short sequence of n evaders and its capture times; return the last time.
 
-    Whoever can be captured soonest is next. With many evaders, this after each that may be the
-    first; in the best of these sequences evaders then move to where they cost least, one after
-    the other, for as long as this gains.
+    1. Nearest first: the next evader is the evader that can be captured soonest.
+    2. From ten evaders on: the same from each first evader, and the best of these sequences.
+    3. There, insertion moves: one evader after the other moves to where the last capture is
+       earliest, until a round of moves gains nothing.
     """
+    n = len(paths)
     if n < _FEWEST:
-        return nearest_first(paths, n, pursuit, -1, sequence, times)
+        return nearest_first(paths, pursuit, -1, sequence, times)
     best, least = 0, math.inf
     for first in range(n):
-        time = nearest_first(paths, n, pursuit, first, sequence, times)
+        time = nearest_first(paths, pursuit, first, sequence, times)
         if time < least:
             best, least = first, time
-    least = nearest_first(paths, n, pursuit, best, sequence, times)
+    least = nearest_first(paths, pursuit, best, sequence, times)
     before = math.inf
     while least < before:
         before = least
         for i in range(n):
-            least = _move(paths, n, pursuit, i, sequence, times)
+            least = _reinsert(paths, pursuit, i, sequence, times)
     return least
 
 
 @compiled
 def nearest_first(
-    paths: Table, n: int, pursuit: Pursuit, first: int, sequence: Ints, times: Floats
+    paths: Floats, pursuit: Pursuit, first: int, sequence: Ints, times: Floats
 ) -> float:
-    """As `short_sequence`: whoever can be captured soonest is next, from the `first` on.
-
-    Where that is -1, the first one too is whoever can be captured soonest.
-    """
-    caught, last, time = 0, -1, 0.0
-    for k in range(n):
+    """As `greedy_sequence`, step 1 alone, with a given first evader; -1: the nearest."""
+    captured, last, time = 0, -1, 0.0
+    for k in range(len(paths)):
         nearest, soonest = max(first, 0), math.inf
         if k == 0 and first >= 0:
             soonest = _next_capture(paths, pursuit, -1, 0.0, first)
         else:
-            for i in range(n):
-                if not caught >> i & 1:
+            for i in range(len(paths)):
+                if not captured >> i & 1:
                     arrival = _next_capture(paths, pursuit, last, time, i)
                     if arrival < soonest:
                         nearest, soonest = i, arrival
-        caught, last, time = caught | 1 << nearest, nearest, soonest
+        captured, last, time = captured | 1 << nearest, nearest, soonest
         sequence[k], times[k] = nearest, soonest
     return time
 
 
 @inlined
-def _next_capture(paths: Table, pursuit: Pursuit, last: int, time: float, i: int) -> float:
-    """When i is captured after `last` was at a `time`, or as the first where that is -1."""
-    x, y, radius = pursuit.center_x, pursuit.center_y, pursuit.first_radius
-    if last >= 0:
-        x, y = position(paths, last, time)
-        radius = pursuit.later_radius
-    return earliest_capture(paths, i, x, y, radius, time, pursuit.speed)
+def _next_capture(paths: Floats, pursuit: Pursuit, last: int, time: float, i: int) -> float:
+    """Return when i is captured after `last` was captured at `time`; as the first if that is -1."""
+    disk = disk_after(paths, last, time, pursuit) if last >= 0 else initial_disk(pursuit)
+    return earliest_capture(paths, i, disk)
 
 
 @compiled
-def _move(paths: Table, n: int, pursuit: Pursuit, i: int, sequence: Ints, times: Floats) -> float:
+def _reinsert(paths: Floats, pursuit: Pursuit, i: int, sequence: Ints, times: Floats) -> float:
     """Move evader i to where the last capture is earliest; return that time."""
+    n = len(paths)
     least, old = times[n - 1], 0
     while sequence[old] != i:
         old += 1
     for k in range(old, n - 1):
         sequence[k] = sequence[k + 1]
-    _fly(paths, n - 1, pursuit, old, sequence, times)
+    _retime(paths, pursuit, old, sequence[: n - 1], times)
     best = old
-    for place in range(n):
-        if place != old:
-            time = _last_capture(paths, n, pursuit, i, place, sequence, times, least)
+    for slot in range(n):
+        if slot != old:
+            time = _last_capture_with(paths, pursuit, i, slot, sequence, times, least)
             if time < least:
-                best, least = place, time
+                best, least = slot, time
     for k in range(n - 1, best, -1):
         sequence[k] = sequence[k - 1]
     sequence[best] = i
-    return _fly(paths, n, pursuit, best, sequence, times)
+    return _retime(paths, pursuit, best, sequence[:n], times)
 
 
 @compiled
-def _fly(
-    paths: Table, n: int, pursuit: Pursuit, begin: int, sequence: Ints, times: Floats
-) -> float:
-    """Write the times of a sequence of n from its place `begin` on; return the last one."""
+def _retime(paths: Floats, pursuit: Pursuit, begin: int, sequence: Ints, times: Floats) -> float:
+    """Write the times of a sequence from its slot `begin` on; return the last time."""
     last, time = -1, 0.0
     if begin > 0:
         last, time = sequence[begin - 1], times[begin - 1]
-    for k in range(begin, n):
+    for k in range(begin, len(sequence)):
         time = _next_capture(paths, pursuit, last, time, sequence[k])
         last, times[k] = sequence[k], time
     return time
 
 
 @compiled
-def _last_capture(
-    paths: Table,
-    n: int,
+def _last_capture_with(
+    paths: Floats,
     pursuit: Pursuit,
     i: int,
-    place: int,
+    slot: int,
     sequence: Ints,
     times: Floats,
     bound: float,
 ) -> float:
-    """The last capture if i joins a sequence of the n - 1 others there; or a time >= `bound`."""
+    """Return the last capture if i is inserted into the sequence of the others; or >= `bound`."""
     last, time = -1, 0.0
-    if place > 0:
-        last, time = sequence[place - 1], times[place - 1]
+    if slot > 0:
+        last, time = sequence[slot - 1], times[slot - 1]
     time = _next_capture(paths, pursuit, last, time, i)
     last = i
-    for k in range(place, n - 1):
+    for k in range(slot, len(paths) - 1):
         if time >= bound:
             break
         time = _next_capture(paths, pursuit, last, time, sequence[k])

@@ -1,44 +1,47 @@
-"""The worst that a pursuer can do to given paths: the least over all capture sequences."""
+"""The inner minimum of eq. (6): the worst that a pursuer can do to given paths."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from covey.kernels._jit import allocating, compiled
-from covey.kernels.arrays import Ints, Pursuit, Table
-from covey.kernels.minimum.labels import SubsetScratch
-from covey.kernels.minimum.last_capture import least_time, subset_scratch
-from covey.kernels.minimum.total_time import TotalScratch, least_total, total_scratch
+from covey.kernels._jit import compiled, inlined
+from covey.kernels.arrays import Floats, Ints, Workspace
+from covey.kernels.capture.pursuit import Pursuit
+from covey.kernels.minimum.labels import SubsetScratch, subset_scratch
+from covey.kernels.minimum.last_capture import min_last_capture
+from covey.kernels.minimum.total_time import TotalTimeScratch, min_total_time, total_time_scratch
 
 
-class WorstScratch(NamedTuple):
-    """Arrays of the search for the worst sequence."""
+class InnerScratch(NamedTuple):
+    """Arrays of the inner minimum."""
 
-    subsets: SubsetScratch
-    totals: TotalScratch  # empty where the last capture alone counts
+    last_capture: SubsetScratch
+    total_time: TotalTimeScratch  # empty where the workspace has no room for sums
 
 
-@allocating
-def worst_scratch(n: int, total: bool) -> WorstScratch:
-    """Allocate the scratch of `least_value` for teams of up to n."""
-    return WorstScratch(subset_scratch(n), total_scratch(n if total else 0))
+@inlined
+def inner_scratch(workspace: Workspace) -> InnerScratch:
+    """Carve the scratch of the inner minimum."""
+    n = workspace.size
+    return InnerScratch(
+        subset_scratch(workspace, n),
+        total_time_scratch(workspace, n if workspace.total else 0),
+    )
 
 
 @compiled
-def least_value(
-    paths: Table,
-    n: int,
+def inner_minimum(
+    paths: Floats,
     pursuit: Pursuit,
     total: bool,
     bound: float,
     sequence: Ints,
-    scratch: WorstScratch,
+    scratch: InnerScratch,
 ) -> tuple[float, int]:
-    """Least of what is measured, the last capture or the sum of all, if it is below `bound`.
+    """Return the minimum of the last capture or, with `total`, of the sum, if below `bound`.
 
-    Returns it and the number of interceptions computed, and writes its order to `sequence`; returns
-    `bound` and leaves `sequence` alone where no sequence beats it.
+    Parameters, results and what is modified are as for `min_last_capture` and `min_total_time`.
     """
     if total:
-        return least_total(paths, n, pursuit, bound, sequence, scratch.totals)
-    return least_time(paths, n, pursuit, bound, sequence, scratch.subsets)
+        return min_total_time(paths, pursuit, bound, sequence, scratch.total_time)
+    return min_last_capture(paths, pursuit, bound, sequence, scratch.last_capture)

@@ -1,6 +1,6 @@
 """The labels of the dynamic programme over subsets: earliest arrivals by (captured set, last).
 
-Only sets that are reached have a place, so however many sets there are, little memory is touched.
+Only sets that are reached get a slot, so little memory is touched, however many sets there are.
 """
 
 from __future__ import annotations
@@ -8,145 +8,176 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
-from covey.kernels._jit import allocating, compiled, inlined
-from covey.kernels.arrays import Floats, Ints, Pursuit, Table
+from covey.kernels._jit import compiled, inlined
+from covey.kernels.arrays import Floats, Int32s, Ints, Workspace, floats, ints, slots
 from covey.kernels.capture.interception import capture_in_turn, earliest_capture
-from covey.kernels.capture.path import TURN_END, position
-from covey.kernels.capture.straight_legs import captures_on_lines, padded
+from covey.kernels.capture.path import TURN_END
+from covey.kernels.capture.pursuit import GrowingDisk, Pursuit, disk_after, initial_disk
+from covey.kernels.capture.straight_legs import captures_on_lines, lines_table, padded
+from covey.kernels.minimum.deadlines import deadlines_table
 
 
 class Labels(NamedTuple):
-    """Sets, as bit masks, and their labels; and scratch of whoever follows them.
+    """Sets of up to n evaders, as bit masks, with their labels; and scratch of their extension."""
 
-    Of n evaders there may be fewer.
-    """
-
-    places: npt.NDArray[np.int32]  # (2**n,) of the sets that have a label, from 1; 0 between calls
-    queue: Ints  # (2**n,) the sets by place, the smaller ones first
-    times: Floats  # (2**n * n,) the labels by place and last captured; inf: there is none
-    ahead: Ints  # (n,) who is not yet captured
-    arrivals: Floats  # (n,) when the pursuer reaches each evader from one label
-
-
-def new_labels(n: int) -> Labels:
-    """Allocate the labels of up to n evaders."""
-    return Labels(
-        np.zeros(1 << n, np.int32),
-        np.empty(1 << n, np.int64),
-        np.empty(n << n),
-        np.empty(n + 1, np.int64),
-        np.empty(padded(n)),
-    )
-
-
-make_labels = allocating(new_labels)
+    slots: Int32s  # (2**n,) slot of each set that has a label, from 1; 0 between calls
+    queue: Ints  # (2**n,) the sets by slot, smaller sets first
+    times: Floats  # (2**n * n,) the labels by slot and last captured; inf: no label
+    remaining: Ints  # (n + 1,) who is not yet captured
+    arrivals: Floats  # (padded(n),) when the pursuer reaches each evader from one label
 
 
 class SubsetScratch(NamedTuple):
     """Arrays of the dynamic programme for up to n evaders."""
 
     labels: Labels
-    lines: Table
-    deadlines: Table  # (2**n, n) by the set that is still ahead, and last captured
+    lines: Floats  # (6, padded(n))
+    deadlines: Floats  # (2**n, padded(n)) by the set that is still to follow, and last captured
+
+
+@inlined
+def subset_scratch(workspace: Workspace, n: int) -> SubsetScratch:
+    """Carve the scratch of the dynamic programme for up to n evaders."""
+    return SubsetScratch(
+        Labels(
+            slots(workspace, 1 << n),
+            ints(workspace, 1 << n),
+            floats(workspace, n << n),
+            ints(workspace, n + 1),
+            floats(workspace, padded(n)),
+        ),
+        lines_table(workspace, n),
+        deadlines_table(workspace, n),
+    )
 
 
 @compiled
-def begin_labels(
-    paths: Table, n: int, pursuit: Pursuit, bound: float, scratch: SubsetScratch
-) -> int:
-    """Label the sets of one evader; return the last place."""
-    labels, deadlines = scratch.labels, scratch.deadlines
-    x, y, arrivals = pursuit.center_x, pursuit.center_y, labels.arrivals
-    captures_on_lines(scratch.lines, n, x, y, pursuit.first_radius, 0.0, pursuit.speed, arrivals)
-    last_place = 0
+def initial_labels(paths: Floats, pursuit: Pursuit, bound: float, scratch: SubsetScratch) -> int:
+    """Label the sets of one evader; return the last slot in use."""
+    n, deadlines, disk = len(paths), scratch.deadlines, initial_disk(pursuit)
+    arrivals, last_slot = scratch.labels.arrivals[: padded(n)], 0
+    captures_on_lines(scratch.lines, disk, arrivals)
     for i in range(n):
         arrival = arrivals[i]
         if arrival < paths[i, TURN_END]:
-            arrival = capture_in_turn(paths, i, x, y, pursuit.first_radius, 0.0, pursuit.speed)
+            arrival = capture_in_turn(paths, i, disk)
         if arrival < bound and arrival <= deadlines[(1 << n) - 1 ^ 1 << i, i]:
-            last_place = _label(1 << i, i, arrival, n, last_place, labels)
-    return last_place
+            last_slot = _label(n, 1 << i, i, arrival, last_slot, scratch.labels)
+    return last_slot
 
 
 @inlined
-def follow(
-    paths: Table,
-    n: int,
-    pursuit: Pursuit,
-    bound: float,
-    caught: int,
-    times: Floats,
-    first: int,
-    last_place: int,
-    scratch: SubsetScratch,
+def extend(
+    paths: Floats, pursuit: Pursuit, bound: float, slot: int, last_slot: int, scratch: SubsetScratch
 ) -> tuple[int, int]:
-    """Capture another evader after each label of a set, which is in `times` from `first` on.
+    """Extend each label of the set in a slot by the capture of each remaining evader.
 
-    Returns the last place, and how many interceptions were computed.
+    Parameters
+    ----------
+    paths
+        (n, PATH).
+    pursuit
+        The pursuer.
+    bound
+        Arrivals at this time or later get no label.
+    slot
+        Of the set whose labels are extended.
+    last_slot
+        The last slot in use.
+    scratch
+        Lines and deadlines of the paths; the labels are modified in place.
+
+    Returns
+    -------
+    int
+        The last slot in use.
+    int
+        How many interceptions were computed.
     """
-    labels, lines, deadlines = scratch.labels, scratch.lines, scratch.deadlines
-    ahead, arrivals = labels.ahead, labels.arrivals
-    full = (1 << n) - 1
-    interceptions = count = 0
-    for i in range(n):
-        ahead[count] = i
-        count += 1 - (caught >> i & 1)
+    labels, n, captured = scratch.labels, len(paths), scratch.labels.queue[slot]
+    count, interceptions = _set_remaining(n, captured, labels), 0
+    arrivals = labels.arrivals[: padded(n)]
     for last in range(n):
-        time = times[first + last]
+        time = labels.times[slot * n + last]
         if time == math.inf:
             continue
-        x, y = position(paths, last, time)
-        captures_on_lines(lines, n, x, y, pursuit.later_radius, time, pursuit.speed, arrivals)
+        disk = disk_after(paths, last, time, pursuit)
+        captures_on_lines(scratch.lines, disk, arrivals)
         interceptions += count
-        for k in range(count):
-            i = ahead[k]
-            arrival = arrivals[i]
-            if arrival < paths[i, TURN_END]:
-                arrival = capture_in_turn(paths, i, x, y, pursuit.later_radius, time, pursuit.speed)
-            larger = caught | 1 << i
-            if arrival >= bound or arrival > deadlines[full ^ larger, i]:
-                continue
-            last_place = _label(larger, i, arrival, n, last_place, labels)
-    return last_place, interceptions
+        last_slot = _extend_label(paths, bound, captured, count, disk, last_slot, scratch)
+    return last_slot, interceptions
 
 
 @inlined
-def _label(caught: int, last: int, arrival: float, n: int, last_place: int, labels: Labels) -> int:
-    """Label a set unless it has an earlier label; return the last place."""
-    place = labels.places[caught]
-    if place == 0:
-        last_place += 1
-        place = last_place
-        labels.places[caught] = place
-        labels.queue[place] = caught
+def _set_remaining(n: int, captured: int, labels: Labels) -> int:
+    """Write who is not in a set; return how many they are."""
+    count = 0
+    for i in range(n):
+        labels.remaining[count] = i
+        count += 1 - (captured >> i & 1)
+    return count
+
+
+@inlined
+def _extend_label(
+    paths: Floats,
+    bound: float,
+    captured: int,
+    count: int,
+    disk: GrowingDisk,
+    last_slot: int,
+    scratch: SubsetScratch,
+) -> int:
+    """Label the sets that one label leads to, from the arrivals on lines; return the last slot."""
+    labels, deadlines, n = scratch.labels, scratch.deadlines, len(paths)
+    full = (1 << n) - 1
+    for k in range(count):
+        i = labels.remaining[k]
+        arrival = labels.arrivals[i]
+        if arrival < paths[i, TURN_END]:
+            arrival = capture_in_turn(paths, i, disk)
+        larger = captured | 1 << i
+        if arrival >= bound or arrival > deadlines[full ^ larger, i]:
+            continue
+        last_slot = _label(n, larger, i, arrival, last_slot, labels)
+    return last_slot
+
+
+@inlined
+def _label(n: int, captured: int, last: int, arrival: float, last_slot: int, labels: Labels) -> int:
+    """Label a set unless it has an earlier label; return the last slot in use."""
+    slot = labels.slots[captured]
+    if slot == 0:
+        last_slot += 1
+        slot = last_slot
+        labels.slots[captured] = slot
+        labels.queue[slot] = captured
         for i in range(n):
-            labels.times[place * n + i] = math.inf
-    label = place * n + last
+            labels.times[slot * n + i] = math.inf
+    label = slot * n + last
     labels.times[label] = min(labels.times[label], arrival)
-    return last_place
+    return last_slot
 
 
 @inlined
-def label_of(caught: int, last: int, n: int, labels: Labels) -> float:
-    """The label of a set, inf if it has none."""
-    place = labels.places[caught]
-    return labels.times[place * n + last] if place > 0 else math.inf
+def label_of(n: int, captured: int, last: int, labels: Labels) -> float:
+    """Return the label of a set and a last captured evader, inf if there is none."""
+    slot = labels.slots[captured]
+    return labels.times[slot * n + last] if slot > 0 else math.inf
 
 
 @compiled
 def trace_back(
-    paths: Table, n: int, pursuit: Pursuit, bound: float, sequence: Ints, one: Labels, other: Labels
+    paths: Floats, pursuit: Pursuit, bound: float, sequence: Ints, labels: Labels
 ) -> float:
-    """Write the sequence of the least label of the full set, in either of two tables.
+    """Write the sequence of the least label of the full set; return that label.
 
-    Returns that label; `bound` where none is less.
+    Returns `bound`, and leaves the sequence alone, where no label is less.
     """
-    caught, target, last = (1 << n) - 1, bound, -1
+    n = len(paths)
+    captured, target, last = (1 << n) - 1, bound, -1
     for i in range(n):
-        time = min(label_of(caught, i, n, one), label_of(caught, i, n, other))
+        time = label_of(n, captured, i, labels)
         if time < target:
             target, last = time, i
     if last < 0:
@@ -154,15 +185,12 @@ def trace_back(
     least = target
     sequence[n - 1] = last
     for k in range(n - 2, -1, -1):
-        caught ^= 1 << last
+        captured ^= 1 << last
         before, before_time, least_error = -1, math.inf, math.inf
         for i in range(n):
-            time = min(label_of(caught, i, n, one), label_of(caught, i, n, other))
+            time = label_of(n, captured, i, labels)
             if time < math.inf:
-                x, y = position(paths, i, time)
-                arrival = earliest_capture(
-                    paths, last, x, y, pursuit.later_radius, time, pursuit.speed
-                )
+                arrival = earliest_capture(paths, last, disk_after(paths, i, time, pursuit))
                 if abs(arrival - target) < least_error:
                     before, before_time, least_error = i, time, abs(arrival - target)
         last, target = before, before_time
@@ -171,7 +199,7 @@ def trace_back(
 
 
 @compiled
-def forget(last_place: int, labels: Labels) -> None:
-    """Leave no set a place."""
-    for place in range(1, last_place + 1):
-        labels.places[labels.queue[place]] = 0
+def clear(last_slot: int, labels: Labels) -> None:
+    """Take the slot from each set."""
+    for slot in range(1, last_slot + 1):
+        labels.slots[labels.queue[slot]] = 0

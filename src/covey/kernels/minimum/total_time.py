@@ -1,15 +1,15 @@
 """The least sum of all capture times over every sequence: depth first, with undominated labels.
 
 For the last capture alone, the earliest arrival for each (set of captured evaders, last captured)
-is all that a sequence needs to know of its beginning. For the sum it needs the sum so far as well,
-and there the orders differ: one arrives earlier, another has the smaller sum. What follows costs
-no less for whoever arrives later (the pursuer can shadow the evader it caught), so a beginning is
-dominated by another with the same captured and last that is no later *and* has no larger sum, and
-the dynamic programme over undominated pairs is exact.
+is all that the rest of a sequence needs to know. For the sum the rest needs the sum so far as well,
+and the two orders differ: one beginning arrives earlier, another has the smaller sum. What follows
+costs no less after a later arrival (the pursuer can shadow the evader it captured). So a beginning
+is dominated by another with the same captured set and last evader that arrives no later *and* has
+no larger sum. The dynamic programme over undominated pairs is exact.
 
-Pairs are many in the worst case, so memory is bounded another way: beginnings are followed depth
-first, the nearest evader first, and one pair of each state is remembered. Those that are forgotten
-cost time, never exactness (docs/decisions/0009).
+Pairs are many in the worst case, so memory is bounded another way. Beginnings are extended depth
+first, the nearest evader first, and one pair of each state is remembered. Forgotten pairs cost
+time, never exactness (docs/decisions/0009).
 """
 
 from __future__ import annotations
@@ -17,81 +17,100 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-
-from covey.kernels._jit import allocating, compiled
-from covey.kernels.arrays import Floats, Ints, Pursuit, Table
+from covey.kernels._jit import compiled, inlined
+from covey.kernels.arrays import Floats, Ints, Workspace, float_rows, floats, ints
 from covey.kernels.capture.interception import capture_in_turn, earliest_capture
-from covey.kernels.capture.path import TURN_END, VELOCITY_X, VELOCITY_Y, position
-from covey.kernels.capture.straight_legs import captures_on_lines, make_lines, padded, set_lines
+from covey.kernels.capture.path import TURN_END, VELOCITY_X, VELOCITY_Y
+from covey.kernels.capture.pursuit import Pursuit, disk_after, initial_disk
+from covey.kernels.capture.straight_legs import (
+    captures_on_lines,
+    lines_table,
+    padded,
+    set_lines,
+)
 
 _ROUNDING = 1e-13
 
 
-class TotalScratch(NamedTuple):
-    """Arrays of `least_total` for up to n evaders; sets are bit masks, a depth is their size."""
+class TotalTimeScratch(NamedTuple):
+    """Arrays of `min_total_time` for up to n evaders; sets are bit masks, a depth is their size."""
 
-    times: Floats  # (2**n * n,) of the pairs remembered, by set and last captured
+    times: Floats  # (2**n * n,) of the remembered pairs, by set and last captured
     sums: Floats  # (2**n * n,)
-    stamps: Ints  # (2**n * n,) in which call
-    call: Ints  # (1,) the present one
-    lines: Table
-    arrivals: Table  # (n + 1, padded(n)) from the beginning at each depth
-    reliefs: Floats  # (n,) by how much a capture on the way may bring another one forward
-    order: Ints  # (n,) the beginning that is followed
+    stamps: Ints  # (2**n * n,) the call that remembered the pair
+    call: Ints  # (1,) number of the present call
+    lines: Floats  # (6, padded(n))
+    arrivals: Floats  # (n + 1, padded(n)) from the beginning at each depth
+    slacks: Floats  # (n,) by how much a capture on the way may bring another capture forward
+    order: Ints  # (n,) the present beginning
     tried: Ints  # (n + 1,) sets
     spent: Floats  # (n + 1,) sums
 
 
-@allocating
-def total_scratch(n: int) -> TotalScratch:
-    """Allocate the scratch of `least_total`: 24 N 2^N bytes."""
+@inlined
+def total_time_scratch(workspace: Workspace, n: int) -> TotalTimeScratch:
+    """Carve the scratch of `min_total_time`: 24 N 2^N bytes."""
     states = n << n
-    return TotalScratch(
-        np.empty(states),
-        np.empty(states),
-        np.zeros(states, np.int64),
-        np.zeros(1, np.int64),
-        make_lines(n),
-        np.empty((n + 1, padded(n))),
-        np.empty(n),
-        np.empty(n, np.int64),
-        np.empty(n + 1, np.int64),
-        np.empty(n + 1),
+    return TotalTimeScratch(
+        floats(workspace, states),
+        floats(workspace, states),
+        ints(workspace, states),
+        ints(workspace, 1),
+        lines_table(workspace, n),
+        float_rows(workspace, n + 1, padded(n)),
+        floats(workspace, n),
+        ints(workspace, n),
+        ints(workspace, n + 1),
+        floats(workspace, n + 1),
     )
 
 
 @compiled
-def least_total(
-    paths: Table, n: int, pursuit: Pursuit, bound: float, sequence: Ints, scratch: TotalScratch
+def min_total_time(
+    paths: Floats, pursuit: Pursuit, bound: float, sequence: Ints, scratch: TotalTimeScratch
 ) -> tuple[float, int]:
-    """Least sum of the capture times of a sequence of all `n` evaders that is below `bound`.
+    """Return the least sum of the capture times of a sequence, if it is below `bound`.
 
-    Returns it and the number of interceptions computed, and writes its order to `sequence`; returns
-    `bound` and leaves `sequence` alone where no sequence beats it.
+    At each depth, the nearest evader that was not tried yet is captured next. A beginning is given
+    up where a lower bound of its sums reaches `bound`, or where the remembered pair of its state
+    dominates it.
+
+    Parameters
+    ----------
+    paths
+        (n, PATH).
+    pursuit
+        The pursuer.
+    bound
+        inf, or an upper bound.
+    sequence
+        (n,) the order that attains the minimum; left alone where no sequence beats the bound.
+        Modified in place.
+    scratch
+        With room for n evaders; modified in place.
+
+    Returns
+    -------
+    float
+        The minimum, or `bound` where no sequence beats it.
+    int
+        How many interceptions were computed.
     """
-    arrivals, order, tried, spent = scratch.arrivals, scratch.order, scratch.tried, scratch.spent
-    scratch.call[0] += 1
-    set_lines(paths, n, scratch.lines)
-    for i in range(n):
-        speed = math.hypot(paths[i, VELOCITY_X], paths[i, VELOCITY_Y])
-        scratch.reliefs[i] = pursuit.later_radius / (pursuit.speed - speed)
-        arrivals[0, i] = earliest_capture(
-            paths, i, pursuit.center_x, pursuit.center_y, pursuit.first_radius, 0.0, pursuit.speed
-        )
-    caught, depth, interceptions = 0, 0, n
-    tried[0], spent[0] = 0, 0.0
+    n, arrivals, order = len(paths), scratch.arrivals, scratch.order
+    tried, spent = scratch.tried, scratch.spent
+    _begin(paths, pursuit, scratch)
+    captured, depth, interceptions = 0, 0, n
     while depth >= 0:
         i = _nearest(n, arrivals[depth], tried[depth])
         if i < 0:
             depth -= 1
             if depth >= 0:
-                caught ^= 1 << order[depth]
+                captured ^= 1 << order[depth]
             continue
         tried[depth] |= 1 << i
         time = arrivals[depth, i]
-        total, larger = spent[depth] + time, caught | 1 << i
-        if _at_least(n, arrivals[depth], larger, time, total, scratch.reliefs) >= bound:
+        total, larger = spent[depth] + time, captured | 1 << i
+        if _lower_bound(arrivals[depth], larger, time, total, scratch.slacks[:n]) >= bound:
             continue
         order[depth] = i
         if depth == n - 1:
@@ -102,16 +121,28 @@ def least_total(
             continue
         if _is_dominated(larger * n + i, time, total, scratch):
             continue
-        caught, depth = larger, depth + 1
-        tried[depth], spent[depth] = caught, total
-        _arrive(paths, n, pursuit, i, time, caught, scratch.lines, arrivals[depth])
+        captured, depth = larger, depth + 1
+        tried[depth], spent[depth] = captured, total
+        _arrive(paths, pursuit, i, time, captured, scratch.lines, arrivals[depth])
         interceptions += n - depth
     return bound, interceptions
 
 
+@inlined
+def _begin(paths: Floats, pursuit: Pursuit, scratch: TotalTimeScratch) -> None:
+    """Write what the beginning without captures leads to."""
+    scratch.call[0] += 1
+    set_lines(paths, scratch.lines)
+    for i in range(len(paths)):
+        speed = math.hypot(paths[i, VELOCITY_X], paths[i, VELOCITY_Y])
+        scratch.slacks[i] = pursuit.later_radius / (pursuit.speed - speed)
+        scratch.arrivals[0, i] = earliest_capture(paths, i, initial_disk(pursuit))
+    scratch.tried[0], scratch.spent[0] = 0, 0.0
+
+
 @compiled
 def _nearest(n: int, arrivals: Floats, tried: int) -> int:
-    """Whoever of the untried can be captured soonest, or -1."""
+    """Return the untried evader that can be captured soonest, or -1."""
     nearest, soonest = -1, math.inf
     for i in range(n):
         if not tried >> i & 1 and arrivals[i] < soonest:
@@ -120,26 +151,26 @@ def _nearest(n: int, arrivals: Floats, tried: int) -> int:
 
 
 @compiled
-def _at_least(
-    n: int, arrivals: Floats, caught: int, time: float, total: float, reliefs: Floats
+def _lower_bound(
+    arrivals: Floats, captured: int, time: float, total: float, slacks: Floats
 ) -> float:
-    """A sum that no sequence which goes on from here falls below.
+    """Return a lower bound of all sums of sequences that go on from here.
 
     Nobody is captured before the pursuer could be there directly, less what captures on the way
-    grant it: each lets it start up to 2ρ from where it was.
+    grant it: after each the pursuer may start up to 2ρ from where it was.
     """
-    ahead = 0
+    n, remaining = len(slacks), 0
     for i in range(n):
-        ahead += not caught >> i & 1
+        remaining += not captured >> i & 1
     for i in range(n):
-        if not caught >> i & 1:
-            total += max(time, arrivals[i] - ahead * reliefs[i])
+        if not captured >> i & 1:
+            total += max(time, arrivals[i] - remaining * slacks[i])
     return total * (1.0 - _ROUNDING)
 
 
 @compiled
-def _is_dominated(state: int, time: float, total: float, scratch: TotalScratch) -> bool:
-    """Whether the pair remembered of this state is as early and as small; if not, remember this."""
+def _is_dominated(state: int, time: float, total: float, scratch: TotalTimeScratch) -> bool:
+    """Whether the remembered pair dominates this pair; if not, remember this pair."""
     remembered = scratch.stamps[state] == scratch.call[0]
     if remembered and scratch.times[state] <= time and scratch.sums[state] <= total:
         return True
@@ -150,18 +181,17 @@ def _is_dominated(state: int, time: float, total: float, scratch: TotalScratch) 
 
 @compiled
 def _arrive(
-    paths: Table,
-    n: int,
+    paths: Floats,
     pursuit: Pursuit,
     last: int,
     time: float,
-    caught: int,
-    lines: Table,
+    captured: int,
+    lines: Floats,
     arrivals: Floats,
 ) -> None:
     """Write when each evader can be captured after `last` was captured at `time`."""
-    x, y = position(paths, last, time)
-    captures_on_lines(lines, n, x, y, pursuit.later_radius, time, pursuit.speed, arrivals)
+    n, disk = len(paths), disk_after(paths, last, time, pursuit)
+    captures_on_lines(lines, disk, arrivals[: padded(n)])
     for i in range(n):
-        if not caught >> i & 1 and arrivals[i] < paths[i, TURN_END]:
-            arrivals[i] = capture_in_turn(paths, i, x, y, pursuit.later_radius, time, pursuit.speed)
+        if not captured >> i & 1 and arrivals[i] < paths[i, TURN_END]:
+            arrivals[i] = capture_in_turn(paths, i, disk)

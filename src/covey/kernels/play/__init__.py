@@ -1,1 +1,5 @@
-"""The rules of play, and games from one decision to the next (sections IV.C and V.B)."""
+"""The rules of play, and games from one decision to the next (sections IV.C and V.B).
+
+Read `rules`, which moves a game; `replanning` and `policy`, which plan again; then `game`,
+`to_capture` and `batches`, which play.
+"""

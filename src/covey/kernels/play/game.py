@@ -1,4 +1,4 @@
-"""A whole game of the strategies that come with the package, compiled."""
+"""A whole game of the strategies that come with the package, compiled, and the log of a game."""
 
 from __future__ import annotations
 
@@ -7,174 +7,188 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels._jit import allocating, compiled
-from covey.kernels.arrays import Floats, Ints
+from covey.kernels._jit import compiled, inlined
+from covey.kernels.arrays import Floats, Ints, Workspace
 from covey.kernels.capture.path import HEADING, X, Y
-from covey.kernels.maximum.multistart import SearchScratch
-from covey.kernels.maximum.sqp import AscentScratch
-from covey.kernels.minimum.last_capture import least_time
-from covey.kernels.play.policy import TeamMemory, TeamPolicy, plan_again
-from covey.kernels.play.replanning import commit
+from covey.kernels.maximum.multistart import search_scratch
+from covey.kernels.maximum.working_set import without
+from covey.kernels.minimum.last_capture import min_last_capture
+from covey.kernels.play.commitment import Commitment, commit
+from covey.kernels.play.policy import ReplanOptions, TeamMemory, replan_if_due
 from covey.kernels.play.rules import (
     MOST_UPDATES,
     NOBODY,
     Rules,
     State,
     announce,
-    chase_from,
     fly,
     pursuit_from,
     remove,
 )
 
+CAPTURES, ROWS, UPDATES = range(3)
+"""Slots of a log's counters."""
 
-class Pages(NamedTuple):
-    """The record of a game while it grows: one row a decision."""
 
+class GameLog(NamedTuple):
+    """The captures of a game, and its course: a row for each decision, T rows of them at most."""
+
+    counters: Ints  # (3,) captures, rows, updates
+    order: Ints  # (N,) captured evaders
+    capture_times: Floats  # (N,)
     times: Floats  # (T,)
     guarantees: Floats  # (T,)
     evaders: Floats  # (T, N, 4) x, y, heading, turn still planned
-    pursuers: Floats  # (T, 5) place, then the disk's centre and radius
+    pursuers: Floats  # (T, 5) position, then the disk's centre and radius
     critical: Ints  # (T, N)
     intended: Ints  # (T, N)
 
 
-@allocating
-def blank_pages(count: int, n: int) -> Pages:
-    """Pages for `count` rows of a game of n evaders, filled with what a captured evader shows."""
-    return Pages(
-        np.zeros(count),
-        np.zeros(count),
-        np.zeros((count, n, 4)),
-        np.zeros((count, 5)),
-        np.full((count, n), -1),
-        np.full((count, n), -1),
+_COURSE = ("times", "guarantees", "evaders", "pursuers", "critical", "intended")
+
+
+def allocate_log(rows: int, n: int) -> GameLog:
+    """Allocate the log of a game of n evaders; rows hold what a captured evader shows. 0: none."""
+    return GameLog(
+        counters=np.zeros(3, np.int64),
+        order=np.full(n, NOBODY),
+        capture_times=np.full(n, math.inf),
+        times=np.zeros(rows),
+        guarantees=np.zeros(rows),
+        evaders=np.zeros((rows, n, 4)),
+        pursuers=np.zeros((rows, 5)),
+        critical=np.full((rows, n), NOBODY),
+        intended=np.full((rows, n), NOBODY),
     )
 
 
-@allocating
-def more_pages(pages: Pages) -> Pages:
-    """Twice as many pages, the first half as before."""
-    count, n = pages.critical.shape
-    more = blank_pages(2 * count, n)
-    more.times[:count] = pages.times
-    more.guarantees[:count] = pages.guarantees
-    more.evaders[:count] = pages.evaders
-    more.pursuers[:count] = pages.pursuers
-    more.critical[:count] = pages.critical
-    more.intended[:count] = pages.intended
-    return more
+def grow_log(log: GameLog) -> GameLog:
+    """Return a log of twice as many rows, the first half as before."""
+    rows, n = log.critical.shape
+    larger = allocate_log(2 * rows, n)
+    for name in _COURSE:
+        getattr(larger, name)[:rows] = getattr(log, name)
+    return larger._replace(counters=log.counters, order=log.order, capture_times=log.capture_times)
+
+
+def cut_log(log: GameLog) -> GameLog:
+    """Return the log without the captures and rows that were not written."""
+    captures, rows = int(log.counters[CAPTURES]), int(log.counters[ROWS])
+    course = {name: getattr(log, name)[:rows] for name in _COURSE}
+    return log._replace(
+        order=log.order[:captures], capture_times=log.capture_times[:captures], **course
+    )
 
 
 @compiled
-def write_page(
-    pages: Pages,
-    page: int,
-    state: State,
-    rules: Rules,
-    intended: Ints,
-    known: int,
-    scratch: AscentScratch,
+def write_row(
+    log: GameLog, state: State, rules: Rules, intended: Ints, workspace: Workspace
 ) -> None:
-    """Write the state, the plan that is announced, and what it is worth, to row `page`.
+    """Write the state, the plan that is announced and its guarantee to the log's next row.
 
-    `intended` holds `known` rows of the living, the order that the pursuer has in mind. Captured
-    evaders stay where they were captured.
+    `intended` holds rows of the living: the order that the pursuer has in mind, as far as it is
+    known. Captured evaders stay where they were captured.
     """
-    n = state.alive[0]
-    pages.times[page] = state.time[0]
-    for i in range(pages.critical.shape[1]):
+    row, n = log.counters[ROWS], state.alive[0]
+    log.counters[ROWS] += 1
+    log.times[row] = state.time[0]
+    for i in range(log.critical.shape[1]):
         for column in range(3):
-            pages.evaders[page, i, column] = state.resting[i, column]
+            log.evaders[row, i, column] = state.capture_pose[i, column]
     for k in range(3):
-        pages.pursuers[page, 2 + k] = state.disk[k]
-    pages.pursuers[page, 0], pages.pursuers[page, 1] = state.pursuer[0], state.pursuer[1]
-    for row in range(n):
-        i = state.ids[row]
-        pages.evaders[page, i, 0] = state.evaders[row, X]
-        pages.evaders[page, i, 1] = state.evaders[row, Y]
-        pages.evaders[page, i, 2] = state.evaders[row, HEADING]
-        pages.evaders[page, i, 3] = state.turns[row]
-    for k in range(known):
-        pages.intended[page, k] = state.ids[intended[k]]
+        log.pursuers[row, 2 + k] = state.disk[k]
+    log.pursuers[row, 0], log.pursuers[row, 1] = state.pursuer[0], state.pursuer[1]
+    for living in range(n):
+        i = state.ids[living]
+        log.evaders[row, i, 0] = state.evaders[living, X]
+        log.evaders[row, i, 1] = state.evaders[living, Y]
+        log.evaders[row, i, 2] = state.evaders[living, HEADING]
+        log.evaders[row, i, 3] = state.turns[living]
+    for k in range(len(intended)):
+        log.intended[row, k] = state.ids[intended[k]]
     if n > 0:
-        pages.guarantees[page], _ = least_time(
-            state.paths,
-            n,
-            pursuit_from(state, rules),
-            math.inf,
-            scratch.found,
-            scratch.worst.subsets,
+        scratch = search_scratch(workspace).ascent
+        pursuit, worst = pursuit_from(state.disk, rules), scratch.worst[:n]
+        log.guarantees[row], _ = min_last_capture(
+            state.paths[:n], pursuit, math.inf, worst, scratch.inner.last_capture
         )
         for k in range(n):
-            pages.critical[page, k] = state.ids[scratch.found[k]]
+            log.critical[row, k] = state.ids[worst[k]]
 
 
-@allocating
+@inlined
+def is_over(log: GameLog, state: State, rules: Rules) -> bool:
+    """Return whether everybody is captured, or the game is stopped at a limit."""
+    in_time = state.time[0] < rules.time_limit and log.counters[UPDATES] < MOST_UPDATES
+    return state.alive[0] == 0 or not in_time
+
+
+@compiled
+def log_capture(log: GameLog, state: State, row: int) -> None:
+    """Log the capture of the living evader in a row, and remove the evader."""
+    k = log.counters[CAPTURES]
+    log.order[k], log.capture_times[k] = state.ids[row], state.time[0]
+    log.counters[CAPTURES] += 1
+    remove(state, row)
+
+
+@compiled
 def play(
     state: State,
     rules: Rules,
-    team: TeamPolicy,
+    team: ReplanOptions,
     memory: TeamMemory,
-    margin: float,
-    sequence: Ints,
-    known: bool,
-    recorded: bool,
-    search: SearchScratch,
-) -> tuple[int, Ints, Floats, int, Pages]:
-    """Play a game from `state`, where `state.turns` and `memory` hold the first plan.
+    commitment: Commitment,
+    log: GameLog,
+    workspace: Workspace,
+) -> bool:
+    """Play a game until it is over, or until its log is full.
 
-    The pursuer keeps to `sequence`, if one is `known`, or to the best, unless another is better by
-    `margin`. Returns the number of captures, their order and times, the number of pages, the pages.
+    1. Announce the team's plan; the pursuer chooses its sequence, or keeps it.
+    2. Write a row, if the course is logged.
+    3. Fly until the next update or capture, and log a capture.
+    4. Let the team replan, where that is due.
+
+    Parameters
+    ----------
+    state
+        Of the game; `state.turns` holds the plan that is flown. Modified in place.
+    rules
+        Of the game.
+    team, memory
+        How the team replans, and what it remembers; the memory is modified in place.
+    commitment
+        The pursuer's sequence, modified in place. `is_known` must be true where a game goes on.
+    log
+        Modified in place. A log without rows keeps the captures only.
+    workspace
+        With room for all evaders; modified in place.
+
+    Returns
+    -------
+    bool
+        Whether the game is over. If not, call again with a log that was grown.
     """
-    n = state.alive[0]
-    order, times = np.full(n, NOBODY), np.full(n, math.inf)
-    captured, page, updates = 0, 0, 0
-    pages = blank_pages(256 if recorded else 1, n)
-    scratch, sequence_times = search.ascent, np.empty(n)
-    while state.alive[0] > 0 and state.time[0] < rules.time_limit and updates < MOST_UPDATES:
-        updates += 1
-        alive = state.alive[0]
+    recorded, total = len(log.times) > 0, memory.objective.total
+    while not is_over(log, state, rules):
+        if recorded and log.counters[ROWS] + 2 > len(log.times):
+            return False
+        log.counters[UPDATES] += 1
+        n = state.alive[0]
+        sequence = commitment.sequence[:n]
         announce(state, rules)
-        pursuit = chase_from(state, rules)
-        commit(
-            state.paths,
-            alive,
-            pursuit,
-            memory.aim.total,
-            margin,
-            known,
-            sequence,
-            sequence_times,
-            scratch,
-        )
-        known = True
+        pursuit = pursuit_from(state.pursuer, rules)
+        commit(state.paths[:n], pursuit, total, commitment, workspace)
+        commitment = Commitment(commitment.margin, commitment.sequence, True)
         if recorded:
-            if page + 2 > len(pages.times):
-                pages = more_pages(pages)
-            write_page(pages, page, state, rules, sequence, alive, scratch)
-            page += 1
-        taken = fly(state, rules, sequence[0], 0.0, 0.0)
-        if taken != NOBODY:
-            order[captured], times[captured] = state.ids[taken], state.time[0]
-            captured += 1
-            drop_from_sequence(sequence, alive, taken)
-            remove(state, taken)
-        if state.time[0] < rules.time_limit and updates < MOST_UPDATES:
-            plan_again(state, rules, team, memory, taken, search)
+            write_row(log, state, rules, sequence, workspace)
+        captured_row = fly(state, rules, sequence[0], 0.0, 0.0)
+        if captured_row != NOBODY:
+            log_capture(log, state, captured_row)
+            without(sequence, captured_row, sequence)
+        if state.time[0] < rules.time_limit and log.counters[UPDATES] < MOST_UPDATES:
+            replan_if_due(state, rules, team, memory, captured_row, workspace)
     if recorded:
         announce(state, rules)
-        write_page(pages, page, state, rules, sequence, 0, scratch)
-        page += 1
-    return captured, order, times, page, pages
-
-
-@compiled
-def drop_from_sequence(sequence: Ints, n: int, row: int) -> None:
-    """Take one of the living out of a sequence of n, and number the others as `remove` does."""
-    k = 0
-    for j in range(n):
-        i = sequence[j]
-        if i != row:
-            sequence[k] = i - (i > row)
-            k += 1
+        write_row(log, state, rules, commitment.sequence[:0], workspace)
+    return True

@@ -1,4 +1,4 @@
-"""What learners see of a game: everybody's place, from where they are, and the disk."""
+"""What learners observe of a game: all positions relative to their own, and the disk."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ def observe(state: State, x: float, y: float, first: int, seen: npt.NDArray[np.f
         seen[k] = 0.0
     for row in range(state.alive[0]):
         i = state.ids[row]
-        place = i + 1 if i < first else i
-        at = ROW * (0 if i == first else place)
+        behind = i + 1 if i < first else i
+        at = ROW * (0 if i == first else behind)
         heading, speed = state.evaders[row, HEADING], state.evaders[row, SPEED]
         seen[at], seen[at + 1] = state.evaders[row, X] - x, state.evaders[row, Y] - y
         seen[at + 2], seen[at + 3] = speed * math.cos(heading), speed * math.sin(heading)

@@ -1,69 +1,96 @@
-"""How a built-in team plans while a game goes on, and what it remembers from plan to plan."""
+"""How a built-in team replans during a game, and what it keeps from plan to plan."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled
-from covey.kernels.arrays import Floats, Table
-from covey.kernels.maximum.multistart import SearchScratch
-from covey.kernels.maximum.objective import Aim, rule_out, spent
-from covey.kernels.maximum.working_set import Columns, forget_captured
-from covey.kernels.play.replanning import replan
+from covey.kernels.arrays import Floats, Workspace
+from covey.kernels.maximum.initial_guesses import Guesses
+from covey.kernels.maximum.multistart import RADIUS_WARM, refine, search_scratch
+from covey.kernels.maximum.objective import Objective, condition_on_capture, elapsed_value
+from covey.kernels.maximum.problem import Iterate, Options, Problem
+from covey.kernels.maximum.working_set import WorkingSet, drop_evader
 from covey.kernels.play.rules import NOBODY, Rules, State, pursuit_from
 
+UPDATE_STEPS = 8
+"""Steps of an update that improves the last plan alone; the next update goes on from there."""
 
-class TeamPolicy(NamedTuple):
+
+class ReplanOptions(NamedTuple):
     """How a built-in team plans."""
 
     replans: bool  # iterative open loop, or open loop
-    replan_time: float  # between two plans, unless there is a capture
-    restarts: int  # other starts that are followed after a capture
+    interval: float  # least time between two plans, unless there is a capture
+    restarts: int  # initial guesses other than the last plan, after a capture
     tolerance: float
-    most_steps: int
+    max_steps: int
 
 
 class TeamMemory(NamedTuple):
-    """What a team that plans again remembers."""
+    """What a team that replans keeps. All arrays are modified in place."""
 
-    columns: Columns
-    noise: Table  # lays out the other starts
-    last: Floats  # (2,) time and worth of the last plan; worth -inf: not known
-    aim: Aim
+    working_set: WorkingSet
+    uniforms: Floats  # of the initial guesses
+    last: Floats  # (2,) time and value of the last plan; value -inf: unknown
+    objective: Objective
 
 
 @compiled
-def plan_again(
+def replan_if_due(
     state: State,
     rules: Rules,
-    team: TeamPolicy,
+    options: ReplanOptions,
     memory: TeamMemory,
-    taken: int,
-    search: SearchScratch,
+    captured_row: int,
+    workspace: Workspace,
 ) -> None:
-    """Let the living plan again if that is due: after some time, and after each capture.
+    """Let the living replan where that is due: after the interval, and after each capture.
 
-    `taken` is the row in which somebody was captured and has been removed, or `NOBODY`.
+    `captured_row` is the row of the evader that was captured and has been removed, or `NOBODY`.
     """
-    alive, columns, aim = state.alive[0], memory.columns, memory.aim
-    since = state.time[0] - memory.last[0]
-    if taken != NOBODY:
-        forget_captured(columns, alive + 1, taken)
-        if aim.expected:
-            rule_out(aim.draws, alive + 1, taken)
-    if team.replans and alive > 0 and (taken != NOBODY or since >= team.replan_time):
-        memory.last[1] = replan(
-            state.evaders,
-            alive,
-            pursuit_from(state, rules),
-            aim,
-            memory.noise,
-            team.restarts if taken != NOBODY else 0,
-            team.tolerance,
-            team.most_steps,
-            memory.last[1] - spent(since, alive + (taken != NOBODY), aim.total),
-            state.turns,
-            columns,
-            search,
-        )
+    n, after_capture = state.alive[0], captured_row != NOBODY
+    if after_capture:
+        forget(memory, n + 1, captured_row)
+    elapsed = state.time[0] - memory.last[0]
+    if options.replans and n > 0 and (after_capture or elapsed >= options.interval):
+        problem = Problem(state.evaders[:n], pursuit_from(state.disk, rules), memory.objective)
+        spent = elapsed_value(elapsed, n + after_capture, memory.objective.total)
+        restarts = options.restarts if after_capture else 0
+        replan(problem, options, memory, spent, restarts, state.turns[:n], workspace)
         memory.last[0] = state.time[0]
+
+
+@compiled
+def replan(
+    problem: Problem,
+    options: ReplanOptions,
+    memory: TeamMemory,
+    spent: float,
+    restarts: int,
+    turns: Floats,
+    workspace: Workspace,
+) -> None:
+    """Improve the turns (n,) that are flown, from them and from other initial guesses.
+
+    The value of the given turns is at least the last plan's value less what was `spent` since,
+    whatever a pursuer did that keeps to the rules. The new value is written to `memory.last[1]`.
+    """
+    steps = options.max_steps if restarts > 0 else min(options.max_steps, UPDATE_STEPS)
+    value, _, _, _ = refine(
+        problem,
+        Guesses(memory.uniforms, search_scratch(workspace).elite, 0, restarts),
+        Options(RADIUS_WARM, options.tolerance, steps),
+        memory.last[1] - spent,
+        Iterate(turns, memory.working_set),
+        workspace,
+    )
+    memory.last[1] = value
+
+
+@compiled
+def forget(memory: TeamMemory, n: int, evader: int) -> None:
+    """Remove a captured evader from the memory of a team of n."""
+    drop_evader(memory.working_set, n, evader)
+    if memory.objective.expected:
+        condition_on_capture(memory.objective.draws, n, evader)

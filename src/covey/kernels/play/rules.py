@@ -1,4 +1,4 @@
-"""The rules of play, once for all: how the state of a game moves from one decision to the next.
+"""The rules of play: how the state of a game moves from one decision to the next.
 
 Between decisions everyone flies what was announced, and a capture happens at its exact time.
 """
@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels._jit import allocating, compiled
-from covey.kernels.arrays import Floats, Ints, Pursuit, Table
+from covey.kernels._jit import compiled, inlined
+from covey.kernels.arrays import Floats, Ints
 from covey.kernels.capture.interception import earliest_capture
 from covey.kernels.capture.path import (
     EVADER,
@@ -25,12 +25,13 @@ from covey.kernels.capture.path import (
     position,
     set_paths,
 )
-from covey.kernels.play.first_contact import first_contact
+from covey.kernels.capture.pursuit import GrowingDisk, Pursuit
+from covey.kernels.play.first_contact import Flight, first_contact
 
 NOBODY = -1
 
 MOST_UPDATES = 200_000
-"""A game is stopped then: it would take for ever, and its record all memory."""
+"""A game is stopped after so many: its record would take all memory."""
 
 
 class Rules(NamedTuple):
@@ -41,7 +42,7 @@ class Rules(NamedTuple):
     hidden: bool
     update_time: float
     time_limit: float
-    placed: bool = False  # the pursuer has a place from the start, also where it is hidden
+    has_position: bool = False  # the pursuer is placed at the start, even where it is hidden
 
 
 class State(NamedTuple):
@@ -49,17 +50,16 @@ class State(NamedTuple):
 
     alive: Ints  # (1,)
     ids: Ints  # (N,) numbers of the living
-    evaders: Table  # (N, EVADER)
+    evaders: Floats  # (N, EVADER)
     turns: Floats  # (N,) announced, still to be flown
-    paths: Table  # (N, PATH) of what is announced, from now on
-    disk: Floats  # (3,) centre and radius of where the pursuer can be, for all the team knows
+    paths: Floats  # (N, PATH) of what is announced, from now on
+    disk: Floats  # (3,) centre and radius of the disk that the team knows the pursuer in
     time: Floats  # (1,)
-    resting: Table  # (N, 3) place and heading at the capture, by number
-    pursuer: Floats  # (3,) its place and 0; all of the disk where it has no place
+    capture_pose: Floats  # (N, 3) position and heading at the capture, by number
+    pursuer: Floats  # (3,) its position and 0; the whole disk where it has no position
 
 
-@allocating
-def initial_state(evaders: Table, center_x: float, center_y: float, radius: float) -> State:
+def initial_state(evaders: Floats, center_x: float, center_y: float, radius: float) -> State:
     """The state at time 0, nothing announced."""
     n, disk = len(evaders), np.array([center_x, center_y, radius])
     return State(
@@ -75,34 +75,20 @@ def initial_state(evaders: Table, center_x: float, center_y: float, radius: floa
     )
 
 
-@compiled
-def pursuit_from(state: State, rules: Rules) -> Pursuit:
-    """What the team plans against: the disk, the first capture from r + ρ, later ones from 2ρ."""
-    return Pursuit(
-        state.disk[0],
-        state.disk[1],
-        state.disk[2] + rules.reach,
-        2.0 * rules.reach,
-        rules.pursuer_speed,
-    )
+@inlined
+def pursuit_from(disk: Floats, rules: Rules) -> Pursuit:
+    """Return the pursuit from a disk (3,): first capture from r + ρ, later captures from 2ρ.
+
+    From `state.disk` the team plans, from `state.pursuer` the pursuer.
+    """
+    first_radius, later_radius = disk[2] + rules.reach, 2.0 * rules.reach
+    return Pursuit(disk[0], disk[1], first_radius, later_radius, rules.pursuer_speed)
 
 
 @compiled
-def chase_from(state: State, rules: Rules) -> Pursuit:
-    """What the pursuer plans with: as the team's, but from its place where it has one."""
-    return Pursuit(
-        state.pursuer[0],
-        state.pursuer[1],
-        state.pursuer[2] + rules.reach,
-        2.0 * rules.reach,
-        rules.pursuer_speed,
-    )
-
-
-@compiled
-def flies(rules: Rules) -> bool:
-    """Whether the pursuer flies from place to place; one that doesn't is a disk that grows."""
-    return rules.placed or not rules.hidden
+def moves(rules: Rules) -> bool:
+    """Whether the pursuer flies from position to position; otherwise it is a growing disk."""
+    return rules.has_position or not rules.hidden
 
 
 @compiled
@@ -114,55 +100,63 @@ def announce(state: State, rules: Rules) -> None:
 
 @compiled
 def fly(state: State, rules: Rules, target: int, velocity_x: float, velocity_y: float) -> int:
-    """Fly what is announced until the next update or capture; return the row of whom it took.
+    """Fly what is announced until the next update or capture; return the captured row.
 
-    The pursuer makes for the living evader in row `target` or, where that is `NOBODY`, flies the
-    velocity given. A hidden pursuer is its disk, unless it is placed: it takes its target when the
-    disk reaches it, and nobody else. One that has a place takes whomever it comes within ρ of. The
-    one captured stays in the state, for the record, until `remove` is called.
+    1. The pursuer makes for its target, or flies the velocity. A hidden pursuer is its disk, unless
+       it has a position. It captures its target when the disk reaches the target, and nobody else.
+    2. A pursuer with a position and a reach captures whomever it comes within ρ of first.
+    3. Pursuer, disk and evaders move to the time of the capture, or of the update.
+
+    Parameters
+    ----------
+    state
+        Modified in place. A captured evader stays in the state until `remove` is called.
+    rules
+        Of the game.
+    target
+        Row of the living evader that the pursuer makes for, or `NOBODY`.
+    velocity_x, velocity_y
+        Of a pursuer without a target.
+
+    Returns
+    -------
+    int
+        The row of the captured evader, or `NOBODY`.
     """
-    pursuer, paths, moves = state.pursuer, state.paths, flies(rules)
-    elapsed, captured = min(rules.update_time, rules.time_limit - state.time[0]), NOBODY
+    pursuer, paths, flies = state.pursuer, state.paths, moves(rules)
+    elapsed, captured_row = min(rules.update_time, rules.time_limit - state.time[0]), NOBODY
     if target != NOBODY:
-        meeting = earliest_capture(
-            paths,
-            target,
-            pursuer[0],
-            pursuer[1],
-            pursuer[2] + rules.reach,
-            0.0,
-            rules.pursuer_speed,
-        )
-        if moves:
+        radius = pursuer[2] + rules.reach
+        disk = GrowingDisk(pursuer[0], pursuer[1], radius, 0.0, rules.pursuer_speed)
+        meeting = earliest_capture(paths, target, disk)
+        if flies:
             meeting_x, meeting_y = position(paths, target, meeting)
             velocity_x, velocity_y = _place_and_aim(state, rules, meeting_x, meeting_y)
         if meeting <= elapsed:
-            elapsed, captured = meeting, target
-    elif moves:
+            elapsed, captured_row = meeting, target
+    elif flies:
         pursuer[2] = 0.0
-    if moves and rules.reach > 0.0:
+    if flies and rules.reach > 0.0:
+        flight = Flight(pursuer[0], pursuer[1], velocity_x, velocity_y, rules.reach)
         for i in range(state.alive[0]):
             if i != target:
-                contact = first_contact(
-                    paths, i, pursuer[0], pursuer[1], velocity_x, velocity_y, rules.reach, elapsed
-                )
-                if contact < elapsed or (contact == elapsed and captured == NOBODY):
-                    elapsed, captured = contact, i
-    if moves:
-        met = captured if rules.reach == 0.0 else NOBODY
+                contact = first_contact(paths, i, flight, elapsed)
+                if contact < elapsed or (contact == elapsed and captured_row == NOBODY):
+                    elapsed, captured_row = contact, i
+    if flies:
+        met = captured_row if rules.reach == 0.0 else NOBODY
         _move_pursuer(state, elapsed, met, velocity_x, velocity_y)
-    _move_disk(state, rules, elapsed, captured)
+    _move_disk(state, rules, elapsed, captured_row)
     _move_evaders(state, elapsed)
     state.time[0] += elapsed
-    return captured
+    return captured_row
 
 
 @compiled
 def _place_and_aim(state: State, rules: Rules, goal_x: float, goal_y: float) -> tuple[float, float]:
-    """Velocity towards its goal of a pursuer that flies.
+    """Return the velocity towards its goal of a pursuer that moves.
 
-    Where the game began with a disk, the pursuer turns out to be where in it the goal is nearest;
-    one that doesn't make for an evader, at its centre.
+    A pursuer that is still a disk is placed at the disk's point nearest to the goal.
     """
     pursuer = state.pursuer
     off_x, off_y = goal_x - pursuer[0], goal_y - pursuer[1]
@@ -184,7 +178,7 @@ def _place_and_aim(state: State, rules: Rules, goal_x: float, goal_y: float) -> 
 def _move_pursuer(
     state: State, elapsed: float, met: int, velocity_x: float, velocity_y: float
 ) -> None:
-    """Move a pursuer that flies; without reach, to where it `met` its target, to the last bit."""
+    """Move the pursuer; without reach, to where it `met` its target, to the last bit."""
     pursuer = state.pursuer
     if met != NOBODY:
         pursuer[0], pursuer[1] = position(state.paths, met, elapsed)
@@ -194,21 +188,21 @@ def _move_pursuer(
 
 
 @compiled
-def _move_disk(state: State, rules: Rules, elapsed: float, captured: int) -> None:
-    """What the team knows: a place, if it sees it, or a disk that a capture makes collapse.
+def _move_disk(state: State, rules: Rules, elapsed: float, captured_row: int) -> None:
+    """Move the disk that the team knows: to a pursuer that it sees, else grown, or collapsed.
 
-    A pursuer that doesn't fly is that disk.
+    A pursuer that doesn't move is this disk.
     """
     disk, pursuer = state.disk, state.pursuer
     if not rules.hidden:
         for k in range(3):
             disk[k] = pursuer[k]
-    elif captured == NOBODY:
+    elif captured_row == NOBODY:
         disk[2] += rules.pursuer_speed * elapsed
     else:
-        disk[0], disk[1] = position(state.paths, captured, elapsed)
+        disk[0], disk[1] = position(state.paths, captured_row, elapsed)
         disk[2] = rules.reach
-    if not flies(rules):
+    if not moves(rules):
         for k in range(3):
             pursuer[k] = disk[k]
 
@@ -231,11 +225,11 @@ def _move_evaders(state: State, elapsed: float) -> None:
 
 @compiled
 def remove(state: State, row: int) -> None:
-    """Lay a captured evader to rest, and close the gap it leaves among the living."""
+    """Keep the pose of a captured evader, and close the gap that it leaves among the living."""
     last, number = state.alive[0] - 1, state.ids[row]
-    state.resting[number, 0] = state.evaders[row, X]
-    state.resting[number, 1] = state.evaders[row, Y]
-    state.resting[number, 2] = state.evaders[row, HEADING]
+    state.capture_pose[number, 0] = state.evaders[row, X]
+    state.capture_pose[number, 1] = state.evaders[row, Y]
+    state.capture_pose[number, 2] = state.evaders[row, HEADING]
     for i in range(row, last):
         state.ids[i] = state.ids[i + 1]
         state.turns[i] = state.turns[i + 1]

@@ -1,0 +1,29 @@
+"""The kernels' workspaces: memory that Python owns, kept from call to call, one set a thread.
+
+Fresh pages of memory cost more than half of a guarantee for twelve evaders.
+"""
+
+from __future__ import annotations
+
+import threading
+
+from covey.kernels.arrays import Workspace, new_workspace
+
+LARGEST_KEPT = 14
+"""Evaders up to which a workspace is kept: 6 MB, 16 MB with room for sums."""
+
+_kept = threading.local()
+
+
+def workspace(size: int, total: bool = False) -> Workspace:
+    """Return a workspace for teams of up to `size` evaders; with `total`, with room for sums.
+
+    The next call with the same arguments in the same thread returns the same memory, so a workspace
+    may be used for one call of a kernel at a time.
+    """
+    if size > LARGEST_KEPT:
+        return new_workspace(size, total)
+    kept: dict[tuple[int, bool], Workspace] = _kept.__dict__.setdefault("workspaces", {})
+    if (size, total) not in kept:
+        kept[size, total] = new_workspace(size, total)
+    return kept[size, total]
