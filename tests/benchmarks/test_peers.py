@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import covey
-from kernels import calls, reference
+from kernels import kernel_calls, reference_game
 from peers.enumeration import Sequences, times_and_gradients
 from peers.ipopt import Ipopt
 from peers.peer import SAME
@@ -25,11 +25,11 @@ def test_their_times_and_gradients_are_those_of_the_kernels(count, options):
         team, disk = random_game(generator, count, **options)
         turns = random_turns(generator, count)
         times, gradients = times_and_gradients(sequences, team, disk, turns)
-        orders = reference.every_sequence(count)
-        wanted = calls.times_of_sequences(team, disk, orders)(turns)
+        orders = reference_game.every_sequence(count)
+        wanted = kernel_calls.times_of_sequences(team, disk, orders)(turns)
         assert times == pytest.approx(wanted, rel=1e-12, abs=0.0)
         for k in generator.integers(0, len(orders), 5):
-            gradient, _ = calls.derivatives(team, disk, turns, orders[k])
+            gradient, _ = kernel_calls.derivatives(team, disk, turns, orders[k])
             assert gradients[k] == pytest.approx(gradient, rel=1e-9, abs=1e-12)
 
 

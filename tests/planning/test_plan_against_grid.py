@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import covey
-from kernels import calls, reference
+from kernels import kernel_calls, reference_game
 from random_games import random_game
 
 SOLVED = 1e-8
@@ -20,7 +20,7 @@ MISSED = 1e-3
 def best_on_grid(team, disk, points):
     """The best value on a grid over all turns, refined around its best point."""
     n = len(team)
-    values = calls.times_of_sequences(team, disk, reference.every_sequence(n))
+    values = kernel_calls.times_of_sequences(team, disk, reference_game.every_sequence(n))
     center, half = np.zeros(n), math.pi
     best = -math.inf
     while half > 1e-6:

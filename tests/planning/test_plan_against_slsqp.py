@@ -12,7 +12,7 @@ import pytest
 from scipy.optimize import minimize
 
 import covey
-from kernels import calls, reference
+from kernels import kernel_calls, reference_game
 from random_games import random_game, random_turns
 
 SLSQP_STARTS = {2: 10, 3: 16, 4: 24}
@@ -24,7 +24,7 @@ CLOSE = 1e-4
 
 def best_by_slsqp(team, disk, generator):
     n = len(team)
-    values = calls.times_of_sequences(team, disk, reference.every_sequence(n))
+    values = kernel_calls.times_of_sequences(team, disk, reference_game.every_sequence(n))
     bounds = [(-math.pi, math.pi)] * n + [(0.0, None)]
     upwards = np.append(np.zeros(n), -1.0)
     best = 0.0

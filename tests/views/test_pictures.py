@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import covey
-from covey.views import draw_capture, draw_control, draw_game, draw_plan, style
+from covey.views import draw_capture, draw_control, draw_game, draw_plan
+from covey.views.kit import style
 from covey.views.kit.layout import Camera, single_map
 from covey.views.kit.point_labels import label
 from views.drawn_artists import boxes, disks, labels, line, points

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import covey
-from kernels import calls, reference
+from kernels import kernel_calls, reference_game
 from random_games import random_game, random_turns
 
 STEP = 1e-5
@@ -27,7 +27,7 @@ def time_of(team, disk, sequence, total):
 
 
 def gradient_of(team, disk, sequence, total):
-    return lambda turns: calls.derivatives(team, disk, turns, sequence, total)[0]
+    return lambda turns: kernel_calls.derivatives(team, disk, turns, sequence, total)[0]
 
 
 def central(function, turns):
@@ -39,7 +39,7 @@ def central(function, turns):
 def smooth_there(team, disk, turns, sequence):
     """Whether no capture is near the end of a turn or the edge of a disk, where slopes jump."""
     times = covey.capture_times(team, disk, turns, sequence)
-    ends = [reference.turn_end(team, turns, i) for i in sequence]
+    ends = [reference_game.turn_end(team, turns, i) for i in sequence]
     waits = np.diff(times, prepend=0.0)
     return (np.abs(times - ends) > 0.01).all() and ((waits == 0.0) | (waits > 0.01)).all()
 
@@ -75,7 +75,7 @@ CASES = pytest.mark.parametrize(
 @MEASURES
 def test_gradient(options, total):
     for team, disk, turns, sequence in some_games(1, 30, **options):
-        gradient, _ = calls.derivatives(team, disk, turns, sequence, total)
+        gradient, _ = kernel_calls.derivatives(team, disk, turns, sequence, total)
         wanted = central(time_of(team, disk, sequence, total), turns)
         assert gradient == pytest.approx(wanted, rel=SLOPE_ERROR, abs=SLOPE_ERROR)
 
@@ -84,7 +84,7 @@ def test_gradient(options, total):
 @MEASURES
 def test_hessian(options, total):
     for team, disk, turns, sequence in some_games(2, 30, **options):
-        _, hessian = calls.derivatives(team, disk, turns, sequence, total)
+        _, hessian = kernel_calls.derivatives(team, disk, turns, sequence, total)
         wanted = central(gradient_of(team, disk, sequence, total), turns)
         largest = max(np.abs(wanted).max(), 1.0)
         assert hessian == pytest.approx(wanted, abs=CURVATURE_ERROR * largest)
@@ -94,7 +94,7 @@ def test_gradient_while_all_are_caught_turning_is_zero():
     generator = np.random.default_rng(3)
     team, disk = random_game(generator, 3)
     slow = covey.Team(team.positions, team.headings, team.speeds, 1e-3)
-    gradient, hessian = calls.derivatives(slow, disk, np.array([1.0, -2.0, 3.0]), [2, 0, 1])
+    gradient, hessian = kernel_calls.derivatives(slow, disk, np.array([1.0, -2.0, 3.0]), [2, 0, 1])
     assert not gradient.any()
     assert not hessian.any()
 
@@ -106,7 +106,7 @@ def test_gradient_while_all_are_caught_turning_is_zero():
 def test_gradient_of_straight_flight_by_hand():
     """At right angles to the line of sight b = 0 and db/dδ = -v."""
     team = covey.Team([(3.0, 0.0)], [math.pi / 2], 0.6, math.inf)
-    gradient, _ = calls.derivatives(team, covey.PursuerDisk(), np.array([0.0]), [0])
+    gradient, _ = kernel_calls.derivatives(team, covey.PursuerDisk(), np.array([0.0]), [0])
     assert gradient[0] == pytest.approx(-3.0 * 0.6 / 0.64, rel=1e-14, abs=0.0)
 
 
@@ -115,7 +115,7 @@ def test_curvature_of_straight_flight_by_hand():
     distance, speed = 2.0, 0.25
     time = distance / (1.0 - speed)
     team = covey.Team([(distance, 0.0)], [0.0], speed, math.inf)
-    gradient, hessian = calls.derivatives(team, covey.PursuerDisk(), np.array([0.0]), [0])
+    gradient, hessian = kernel_calls.derivatives(team, covey.PursuerDisk(), np.array([0.0]), [0])
     wanted = -speed * distance * time / ((1.0 - speed**2) * time - speed * distance)
     assert gradient[0] == pytest.approx(0.0, abs=1e-15)
     assert hessian[0, 0] == pytest.approx(wanted, rel=1e-14, abs=0.0)

@@ -9,12 +9,14 @@ import pytest
 from hypothesis import given, settings
 
 import covey
-from kernels import calls, reference
+from kernels import kernel_calls, reference_game
 from random_games import games, random_game, random_turns, time_rounding
 
 
 def least_of_all(team, disk, turns):
-    return calls.times_of_sequences(team, disk, reference.every_sequence(len(team)))(turns).min()
+    return kernel_calls.times_of_sequences(team, disk, reference_game.every_sequence(len(team)))(
+        turns
+    ).min()
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 4, 5, 6])
@@ -56,9 +58,9 @@ def test_a_bound_hides_nothing_below_it(count, reach, mixed):
     for _ in range(25):
         team, disk = random_game(generator, count, capture_radius=reach, mixed=mixed)
         turns = random_turns(generator, count)
-        least, sequence = calls.least(team, disk, turns)
+        least, sequence = kernel_calls.least(team, disk, turns)
         for bound in (1.5 * least, 1.001 * least, np.nextafter(least, math.inf)):
-            below, found = calls.least(team, disk, turns, bound)
+            below, found = kernel_calls.least(team, disk, turns, bound)
             assert below == least
             assert found.tolist() == sequence.tolist()
 
@@ -72,10 +74,10 @@ def test_nothing_is_found_below_the_least(count):
         turns, kept = random_turns(generator, count), generator.permutation(count)
         least = covey.guaranteed_survival(team, disk, turns).time
         for bound in (least, 0.9 * least, 0.1 * least, 0.0):
-            below, found = calls.least(team, disk, turns, bound, kept)
+            below, found = kernel_calls.least(team, disk, turns, bound, kept)
             assert below == bound
             assert found.tolist() == kept.tolist()
-        assert calls.least(team, disk, turns)[0] == least
+        assert kernel_calls.least(team, disk, turns)[0] == least
 
 
 @pytest.mark.parametrize("reach", [0.0, 0.05])

@@ -9,14 +9,14 @@ import pytest
 from hypothesis import given, settings
 
 import covey
-from kernels import calls, reference
+from kernels import kernel_calls, reference_game
 from random_games import games, random_game, random_turns, time_rounding
 
 TOTAL = covey.TotalSurvival()
 
 
 def sums_of_all(team, disk, turns):
-    sequences = reference.every_sequence(len(team))
+    sequences = reference_game.every_sequence(len(team))
     return {each: float(covey.capture_times(team, disk, turns, each).sum()) for each in sequences}
 
 
@@ -51,13 +51,13 @@ def test_a_bound_hides_nothing_below_it(count, reach):
     for _ in range(20):
         team, disk = random_game(generator, count, capture_radius=reach, mixed=True)
         turns = random_turns(generator, count)
-        least, sequence = calls.least_sum(team, disk, turns)
+        least, sequence = kernel_calls.least_sum(team, disk, turns)
         for bound in (1.5 * least, 1.001 * least, np.nextafter(least, math.inf)):
-            found = calls.least_sum(team, disk, turns, bound)
+            found = kernel_calls.least_sum(team, disk, turns, bound)
             assert (found[0], found[1].tolist()) == (least, sequence.tolist())
         for bound in (least, 0.9 * least):
             kept = np.arange(count)[::-1]
-            found = calls.least_sum(team, disk, turns, bound, kept)
+            found = kernel_calls.least_sum(team, disk, turns, bound, kept)
             assert (found[0], found[1].tolist()) == (bound, kept.tolist())
 
 
@@ -116,5 +116,5 @@ def test_more_pairs_than_are_remembered_cost_no_exactness(count):
     generator = np.random.default_rng(count)
     team, disk = random_game(generator, count, capture_radius=0.01)
     turns = random_turns(generator, count)
-    least, _ = calls.least_sum(team, disk, turns)
+    least, _ = kernel_calls.least_sum(team, disk, turns)
     assert least == pytest.approx(min(sums_of_all(team, disk, turns).values()), rel=1e-13)
