@@ -16,7 +16,7 @@ def line(axes, name):
 
 
 def points(axes, name):
-    """Points (K, 2) of a sign, without the gaps between its paths."""
+    """Points (K, 2) of a marker, without the gaps between its paths."""
     places = np.column_stack(line(axes, name).get_data()).astype(float)
     return places[~np.isnan(places).any(axis=1)]
 

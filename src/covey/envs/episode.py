@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from covey.envs.setup import STARTS, Setup, Start
+from covey.envs.setup import STARTS, InitialState, Setup
 from covey.kernels.play.observation import DISK, ROW, observe
 from covey.kernels.play.rules import NOBODY, announce, fly, remove
 from covey.model import InputError
@@ -48,7 +48,7 @@ class Episode:
     def __init__(
         self,
         setup: Setup,
-        start: Start,
+        start: InitialState,
         seed: int,
         evaders: TeamStrategy | TeamPolicy | None,
         pursuer: PursuerStrategy | PursuerPolicy | None,

@@ -28,7 +28,7 @@ TEAM = IterativeOpenLoop(starts=STARTS, restarts=2)
 """The team that is played against: it survives as long as with all starts, within 0.2 %."""
 
 
-class Start(NamedTuple):
+class InitialState(NamedTuple):
     """Where a game starts."""
 
     positions: Floats  # (N, 2)
@@ -107,11 +107,11 @@ class Setup:
         """Speed of the fastest evader."""
         return float(self._anywhere.speeds.max())
 
-    def team(self, start: Start) -> Team:
+    def team(self, start: InitialState) -> Team:
         """Return the team at the start of a game."""
         return Team(start.positions, start.headings, self.speed, self.turn_rate)
 
-    def first_state(self, start: Start) -> State:
+    def first_state(self, start: InitialState) -> State:
         """Return the state at the start of a game, nothing announced."""
         return first_state(self.team(start), self.known_at_start(start), start.pursuer)
 
@@ -119,13 +119,15 @@ class Setup:
         """Return a disk that the pursuer is in."""
         return PursuerDisk(center, radius, self.pursuer_speed, self.capture_radius)
 
-    def known_at_start(self, start: Start) -> PursuerDisk:
+    def known_at_start(self, start: InitialState) -> PursuerDisk:
         """Return what the team knows of the pursuer at the start."""
         if self.rules.hidden:
             return self.disk_around(np.zeros(2), self.disk_radius)
         return self.disk_around(start.pursuer, 0.0)
 
-    def draw(self, generator: np.random.Generator, options: Mapping[str, Any] | None) -> Start:
+    def draw(
+        self, generator: np.random.Generator, options: Mapping[str, Any] | None
+    ) -> InitialState:
         """Draw a start; `options` may give its "positions" and "headings" instead.
 
         Raises
@@ -154,7 +156,7 @@ class Setup:
             if "positions" not in given:
                 raise InputError("headings: expected positions with them, got headings alone")
             headings = frozen_array("headings", given["headings"], (count,))
-        return Start(positions, headings, pursuer)
+        return InitialState(positions, headings, pursuer)
 
     @cached_property
     def _anywhere(self) -> Team:

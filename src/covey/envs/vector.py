@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.envs.actions import shares_of, velocities_of
-from covey.envs.games import Games, stacked
-from covey.envs.setup import STARTS, TEAM, Start
+from covey.envs.batch import GameBatch, stacked
+from covey.envs.setup import STARTS, TEAM, InitialState
 from covey.kernels.maximum.multistart import search_scratch
 from covey.kernels.maximum.sqp import ascent_scratch
 from covey.kernels.maximum.working_set import Columns, make_columns
@@ -29,7 +29,7 @@ from covey.players.compiled import (
 from covey.players.teams.open_loop import first_memory
 
 
-class PursuerVectorEnv(Games):
+class PursuerVectorEnv(GameBatch):
     """Be the pursuers of many games, against teams that plan compiled.
 
     Parameters
@@ -68,7 +68,7 @@ class PursuerVectorEnv(Games):
         self._memories = TeamMemory(columns, noises, lasts, aim_of(LastCapture(), n))
         self._scratch = search_scratch(n)
 
-    def begin_opponent(self, b: int, start: Start, seed: int) -> float:
+    def begin_opponent(self, b: int, start: InitialState, seed: int) -> float:
         """Plan, and remember what the plan will be improved with."""
         team, known = self.setup.team(start), self.setup.known_at_start(start)
         first = plan(team, known, seed=seed, starts=self._evaders.starts)
@@ -92,7 +92,7 @@ class PursuerVectorEnv(Games):
         )
 
 
-class TeamVectorEnv(Games):
+class TeamVectorEnv(GameBatch):
     """Be the teams of many games, against pursuers that are compiled.
 
     Parameters
@@ -129,7 +129,7 @@ class TeamVectorEnv(Games):
         self._followed = np.zeros(num_envs, np.int64)
         self._scratch, self._times = ascent_scratch(n), np.empty(n)
 
-    def begin_opponent(self, b: int, start: Start, seed: int) -> float:
+    def begin_opponent(self, b: int, start: InitialState, seed: int) -> float:
         """Let the pursuer of game b have its first sequence in mind, or none yet."""
         team, known = self.setup.team(start), self.setup.known_at_start(start)
         place = self.setup.disk_around(start.pursuer, 0.0)

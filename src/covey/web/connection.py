@@ -8,7 +8,7 @@ import time
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from covey.web.rate_limit import Budget
+from covey.web.rate_limit import TokenBucket
 from covey.web.session import Reply, Session, error_reply
 
 _FRAME = 1.0 / 60.0
@@ -42,8 +42,8 @@ async def converse(websocket: WebSocket) -> None:
 
 async def _read(websocket: WebSocket, inbox: Inbox) -> None:
     """Pass messages on; those beyond the budget are dropped, and the page is told now and then."""
-    budget = Budget(_MESSAGES_PER_SECOND, 2.0 * _MESSAGES_PER_SECOND)
-    complaints = Budget(1.0, 1.0)
+    budget = TokenBucket(_MESSAGES_PER_SECOND, 2.0 * _MESSAGES_PER_SECOND)
+    complaints = TokenBucket(1.0, 1.0)
     while True:
         event = await websocket.receive()
         if event["type"] == "websocket.disconnect":
@@ -52,9 +52,9 @@ async def _read(websocket: WebSocket, inbox: Inbox) -> None:
         cost = 1.0
         if message is None:
             message, cost = event["bytes"], _FILE_COSTS
-        if budget.spend(time.monotonic(), cost):
+        if budget.take(time.monotonic(), cost):
             await inbox.put(message)
-        elif complaints.spend(time.monotonic()):
+        elif complaints.take(time.monotonic()):
             text = f"expected at most {_MESSAGES_PER_SECOND:g} messages a second; some were dropped"
             await _send(websocket, error_reply(text))
 

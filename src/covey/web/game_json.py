@@ -11,7 +11,7 @@ from covey.model import PursuerDisk, Team
 from covey.planning import capture_times
 from covey.simulation import Game
 
-MOST_PICTURES = 1500
+MAX_FRAMES = 1500
 """Of a film: with more, a page would be slow to load it and no smoother."""
 
 _KEEPS_GUARANTEE = {"open-loop", "iterative-open-loop"}
@@ -20,7 +20,7 @@ _KEEPS_GUARANTEE = {"open-loop", "iterative-open-loop"}
 Json = dict[str, Any]
 
 
-def cast(game: Game) -> Json:
+def header(game: Game) -> Json:
     """Return what stays the same during a game."""
     names = {side: str(each.get("name", "")) for side, each in game.strategies.items()}
     return {
@@ -37,7 +37,7 @@ def cast(game: Game) -> Json:
     }
 
 
-def picture(game: Game, row: int) -> Json:
+def frame(game: Game, row: int) -> Json:
     """Return one row: the state, the plan that is flown from there on, and what it expects."""
     critical = game.critical_sequences[row]
     sequence = critical[critical >= 0]
@@ -61,16 +61,16 @@ def picture(game: Game, row: int) -> Json:
     }
 
 
-def film(game: Game) -> Json:
-    """Return the whole game, with at most `MOST_PICTURES` of its rows and those of the captures."""
-    rows = np.linspace(0, len(game.times) - 1, min(MOST_PICTURES, len(game.times)), dtype=int)
+def replay(game: Game) -> Json:
+    """Return the whole game, with at most `MAX_FRAMES` of its rows and those of the captures."""
+    rows = np.linspace(0, len(game.times) - 1, min(MAX_FRAMES, len(game.times)), dtype=int)
     captures = np.searchsorted(game.times, game.capture_times, side="right") - 1
     before = np.searchsorted(game.times, game.capture_times, side="left") - 1
     rows = np.unique(np.concatenate([rows, np.maximum(before, 0), captures]))
     time = game.survival_time
     return {
-        "cast": cast(game),
-        "pictures": [picture(game, row) for row in rows.tolist()],
+        "cast": header(game),
+        "pictures": [frame(game, row) for row in rows.tolist()],
         "survival_time": time if math.isfinite(time) else None,
     }
 

@@ -11,7 +11,7 @@ from covey.players import CommittedPursuer, simulate
 from covey.simulation import Game, Settings
 from covey.simulation.match import Match
 from covey.web.choices import Choices
-from covey.web.human_pursuer import Person
+from covey.web.human_pursuer import HumanPursuer
 
 UPDATE_TIME = 0.005
 """In the game's time: even at a quarter of the pace the team plans every 20 ms."""
@@ -23,7 +23,7 @@ LONGEST_GUARANTEE = 60.0
 """No game is offered that could not be won well before the time limit."""
 
 
-class Score(NamedTuple):
+class GameScore(NamedTuple):
     """A person against the optimal pursuer; None where not everybody was captured.
 
     Attributes
@@ -41,7 +41,7 @@ class Score(NamedTuple):
     share: float
 
 
-class Round:
+class HumanGame:
     """A game that a person plays.
 
     Raises
@@ -52,9 +52,9 @@ class Round:
 
     def __init__(self, choices: Choices) -> None:
         self._choices = choices
-        self.person = Person(UPDATE_TIME)
+        self.pursuer = HumanPursuer(UPDATE_TIME)
         settings = Settings(choices.sensing, UPDATE_TIME, choices.seed, TIME_LIMIT)
-        self._match = Match(*choices.game(), choices.team_strategy(), self.person, settings)
+        self._match = Match(*choices.game(), choices.team_strategy(), self.pursuer, settings)
         guarantee = self._match.record().guarantee
         if guarantee > LONGEST_GUARANTEE:
             raise InputError(
@@ -67,7 +67,7 @@ class Round:
         """Whether everybody is captured, or the time limit is reached."""
         return self._match.over
 
-    def play(self, updates: int) -> int:
+    def advance(self, updates: int) -> int:
         """Play on for so many updates, or to the end; return how many it were."""
         for played in range(updates):
             if self.over:
@@ -93,12 +93,12 @@ class Round:
             seed=self._choices.seed,
         )
 
-    def score(self) -> Score:
+    def score(self) -> GameScore:
         """Return the score of a game that is over."""
         game = self.record()
         if math.isinf(game.survival_time):
-            return Score(None, None, 0.0)
+            return GameScore(None, None, 0.0)
         time = game.survival_time
         # Both are 0 where everybody begins within the pursuer's reach.
         share = self.optimal.survival_time / time if time > 0.0 else 1.0
-        return Score(time, time - game.guarantee, share)
+        return GameScore(time, time - game.guarantee, share)

@@ -13,7 +13,7 @@ from covey.simulation import Fly, PursuerPolicy, Situation
 Point = tuple[float, float]
 
 
-class Person:
+class HumanPursuer:
     """Flies at full speed to the point, or in the direction, that was steered for last.
 
     Parameters

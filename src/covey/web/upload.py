@@ -7,14 +7,14 @@ from io import BytesIO
 
 from covey.model import InputError
 from covey.simulation.storage import read_game
-from covey.web.game_json import Json, film
+from covey.web.game_json import Json, replay
 
 MOST_BYTES = 16 * 2**20
 MOST_NUMBERS = 10**7
 """In the table once it is unpacked: a small file can hide a huge one."""
 
 
-def opened_film(content: bytes) -> Json:
+def read_upload(content: bytes) -> Json:
     """Return the film of the game in a file, or raise InputError that says why there is none."""
     for kind, most, size in (
         ("bytes", MOST_BYTES, len(content)),
@@ -26,7 +26,7 @@ def opened_film(content: bytes) -> Json:
             )
     game = read_game(content, "record")
     try:
-        result = film(game)
+        result = replay(game)
         json.dumps([result, game.times[0]], allow_nan=False)  # no row, or a nan, is an error
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
         raise InputError(f"record: it contradicts itself: {error}") from error

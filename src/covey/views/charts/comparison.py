@@ -1,4 +1,4 @@
-"""Ratios of means with their uncertainty: strips for what is compared, in rows of panels."""
+"""Chart: ratios of means with confidence intervals, one strip for each strategy or objective."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ _STRIP = 0.27
 """Height of a strip, inches."""
 
 _LETTER = 0.058
-"""Width of a letter, about, inches."""
+"""Approximate width of a letter, inches."""
 
 
 class Ratio(NamedTuple):
-    """A ratio of means, and where in the picture it stands."""
+    """A ratio of means, and its position in the picture."""
 
     row: str  # of panels, from the top
     column: str
@@ -36,14 +36,14 @@ class Ratio(NamedTuple):
 
 @styled
 def draw_comparison(ratios: Sequence[Ratio], label: str) -> Figure:
-    """Draw how teams, or objectives, compare with one of them.
+    """Draw how teams, or objectives, compare with a reference among them.
 
     Parameters
     ----------
     ratios
-        In the order in which rows, columns, strips and sizes shall appear.
+        In the order of rows, columns, strips and sizes in the picture.
     label
-        Of the axis: what the ratios are.
+        Label of the axis: what the ratios are.
 
     Returns
     -------
@@ -123,7 +123,7 @@ def _draw_panel(
         )
     for boundary in range(len(strips) - 1):
         axes.axhline(boundary + 0.5, color=style.DISK, linewidth=0.5 * style.THIN_LINE)
-    axes.axvline(1.0, color=style.FAINT, linewidth=style.THIN_LINE, linestyle=style.PURSUER_DOTS)
+    axes.axvline(1.0, **style.GUIDE)
     axes.set_ylim(len(strips) - 0.5, -0.5)
     axes.set_yticks([])
     axes.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10], prune="both"))

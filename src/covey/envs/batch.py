@@ -12,7 +12,7 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
 from covey.envs.episode import Seen
-from covey.envs.setup import Setup, Start
+from covey.envs.setup import InitialState, Setup
 from covey.envs.spaces import direction_space, observation_space, steering_space
 from covey.kernels.play.batches import observe_games
 from covey.kernels.play.rules import State, initial_state
@@ -22,7 +22,7 @@ from covey.model.validation import Floats, whole_number
 Flags = npt.NDArray[np.bool_]
 
 
-class Games(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
+class GameBatch(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
     """What both batches share: games, each of them begun anew in the step that ends it."""
 
     metadata: dict[str, Any] = {"autoreset_mode": AutoresetMode.SAME_STEP}  # noqa: RUF012 as declared
@@ -106,7 +106,7 @@ class Games(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
             infos |= {name: np.where(which, value, 0.0), f"_{name}": which}
         return infos
 
-    def begin_opponent(self, b: int, start: Start, seed: int) -> float:
+    def begin_opponent(self, b: int, start: InitialState, seed: int) -> float:
         """Prepare the opponent of game b; return the guaranteed survival time."""
         raise NotImplementedError
 

@@ -11,7 +11,7 @@ _RATE_OVER = 1.0
 """Seconds over which the rate of updates is counted."""
 
 
-class Clock:
+class Pacer:
     """Says how many updates are due.
 
     An update lasts as long as ever in the game's time. Where the machine can't keep up, fewer of
