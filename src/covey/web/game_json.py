@@ -1,4 +1,4 @@
-"""A game as the page draws it: one picture a row of the record, in what JSON can say."""
+"""A game as JSON for the page: a header (the key "cast"), and a frame ("picture") for each row."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from covey.planning import capture_times
 from covey.simulation import Game
 
 MAX_FRAMES = 1500
-"""Of a film: with more, a page would be slow to load it and no smoother."""
+"""Of a replay: with more frames, a page loads more slowly and looks no smoother."""
 
 _KEEPS_GUARANTEE = {"open-loop", "iterative-open-loop"}
-"""Teams that never fall short of what their first plan is worth."""
+"""Teams that always survive at least as long as their first plan guarantees."""
 
 Json = dict[str, Any]
 
 
 def header(game: Game) -> Json:
-    """Return what stays the same during a game."""
+    """Return what is constant during a game."""
     names = {side: str(each.get("name", "")) for side, each in game.strategies.items()}
     return {
         "evaders": len(game.team),
         "speeds": game.team.speeds.tolist(),
-        # None: it turns at once.
+        # None: unlimited.
         "turn_rates": [rate if math.isfinite(rate) else None for rate in game.team.turn_rates],
         "pursuer_speed": game.disk.speed,
         "capture_radius": game.disk.capture_radius,
@@ -38,7 +38,7 @@ def header(game: Game) -> Json:
 
 
 def frame(game: Game, row: int) -> Json:
-    """Return one row: the state, the plan that is flown from there on, and what it expects."""
+    """Return one row: the state, the plan that is flown from then on, and its expected captures."""
     critical = game.critical_sequences[row]
     sequence = critical[critical >= 0]
     captured = len(game.team) - len(sequence)
@@ -62,7 +62,7 @@ def frame(game: Game, row: int) -> Json:
 
 
 def replay(game: Game) -> Json:
-    """Return the whole game, with at most `MAX_FRAMES` of its rows and those of the captures."""
+    """Return the whole game: at most `MAX_FRAMES` of its rows, and those around captures."""
     rows = np.linspace(0, len(game.times) - 1, min(MAX_FRAMES, len(game.times)), dtype=int)
     captures = np.searchsorted(game.times, game.capture_times, side="right") - 1
     before = np.searchsorted(game.times, game.capture_times, side="left") - 1

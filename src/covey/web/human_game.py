@@ -1,4 +1,4 @@
-"""One game that a person plays, the optimal pursuer's game from the same start, and the score."""
+"""A game that a person plays, the optimal pursuer's game from the same start, and the score."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from covey.web.choices import Choices
 from covey.web.human_pursuer import HumanPursuer
 
 UPDATE_TIME = 0.005
-"""In the game's time: even at a quarter of the pace the team plans every 20 ms."""
+"""Of the game's time: even at a quarter of real time the team plans every 20 ms."""
 
 TIME_LIMIT = 120.0
-"""A game is stopped then, with its evaders alive: nobody chases for longer."""
+"""A game is stopped then: nobody chases for longer."""
 
 LONGEST_GUARANTEE = 60.0
-"""No game is offered that could not be won well before the time limit."""
+"""Games with a longer guarantee are refused: they could hardly be won before the time limit."""
 
 
 class GameScore(NamedTuple):
@@ -31,9 +31,9 @@ class GameScore(NamedTuple):
     time : float or None
         Survival time of the team against the person.
     above : float or None
-        How far it is above the guarantee of the first plan.
+        `time` minus the guarantee of the first plan.
     share : float
-        Survival time against the optimal pursuer over that against the person: 1 is as good.
+        Survival time against the optimal pursuer over `time`: 1 is as good, 0 if `time` is None.
     """
 
     time: float | None
@@ -47,7 +47,7 @@ class HumanGame:
     Raises
     ------
     InputError
-        If the team would be guaranteed to survive for too long.
+        If the guarantee of the team is above `LONGEST_GUARANTEE`.
     """
 
     def __init__(self, choices: Choices) -> None:
@@ -68,7 +68,7 @@ class HumanGame:
         return self._match.over
 
     def advance(self, updates: int) -> int:
-        """Play on for so many updates, or to the end; return how many it were."""
+        """Play `updates` updates, or fewer to the end; return the number played."""
         for played in range(updates):
             if self.over:
                 return played

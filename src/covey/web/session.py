@@ -1,4 +1,4 @@
-"""What one page has on the server: its game, its clock, and the answers to its messages."""
+"""A page's session on the server: its game, its pace, and the answers to its messages."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from covey.web.pacing import Pacer
 from covey.web.upload import read_upload
 
 STEP_UPDATES = 10
-"""Of a step by hand: enough to be seen."""
+"""Updates of a step by hand: enough to be seen."""
 
 Reply = dict[str, Any] | bytes
-"""What a page is told, as JSON says it; bytes are a file."""
+"""A message to the page, sent as JSON; bytes are a file."""
 
 
 class Session:
-    """A page's game. It knows nothing of sockets; `now` is in seconds of any steady clock."""
+    """A page's session. It knows nothing of sockets; `now` is in seconds of any monotonic clock."""
 
     def __init__(self) -> None:
         self._pacer = Pacer(UPDATE_TIME)
@@ -36,7 +36,7 @@ class Session:
         return self._pacer.running or self._optimal_pending
 
     def receive(self, message: str | bytes, now: float) -> Iterator[Reply]:
-        """Do what a page asks for, and answer; a mistake is answered too, and changes nothing."""
+        """Do what a page asks for, and answer. A mistake is answered too, and changes nothing."""
         try:
             if isinstance(message, bytes):
                 yield {"type": "film", "game": "opened", **read_upload(message)}
@@ -46,7 +46,7 @@ class Session:
             yield error_reply(str(error))
 
     def advance(self, now: float) -> Iterator[Reply]:
-        """Do what is due: the optimal game at first, then updates and, when they end, the score."""
+        """Do what is due: the optimal game first, then updates and, at the end, the score."""
         if self._optimal_pending:
             self._optimal_pending = False
             optimal = self._current_game().optimal
@@ -114,7 +114,7 @@ class Session:
 
 
 def error_reply(text: str) -> Reply:
-    """Return the answer to a message that can't be done."""
+    """Return the answer to a mistake."""
     return {"type": "error", "text": text}
 
 

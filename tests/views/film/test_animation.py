@@ -7,12 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from covey.views.renderer.frames import FrameRenderer
 from PIL import Image, ImageSequence
 
 import covey
 from covey.views import animate
 from covey.views.film.animation import frame_times
+from covey.views.film.frames import FrameRenderer
 from views.flown_games import SECOND_CAPTURE, game_by_hand, simulated
 
 
