@@ -65,7 +65,7 @@ def test_until_the_first_capture_a_hidden_pursuer_changes_nothing():
     one, other = (HumanGame(Choices(sensing="hidden", seed=5, capture_radius=0.01)) for _ in "ab")
     one.pursuer.steer(None, 0.3)
     one.advance(20)
-    other.play(20)
+    other.advance(20)
     assert np.array_equal(one.record().evader_positions, other.record().evader_positions)
     assert not np.array_equal(one.record().pursuer_positions, other.record().pursuer_positions)
 
@@ -74,7 +74,7 @@ def test_a_visible_pursuer_is_seen():
     one, other = (HumanGame(Choices(sensing="visible", seed=5, capture_radius=0.01)) for _ in "ab")
     one.pursuer.steer(None, 0.3)
     one.advance(20)
-    other.play(20)
+    other.advance(20)
     assert not np.array_equal(one.record().evader_positions, other.record().evader_positions)
 
 

@@ -136,7 +136,7 @@ class PursuitEnv(ParallelEnv[str, Seen, npt.ArrayLike]):  # type: ignore[misc] #
     def _decisions(
         self, actions: Mapping[str, npt.ArrayLike]
     ) -> tuple[Floats | None, tuple[float, float] | None]:
-        """Return all turn rates (N,) and the pursuer's velocity; None for a side with a strategy."""
+        """Return all turn rates (N,) and the pursuer's velocity; None for a strategy's side."""
         shares = velocity = None
         if self._strategies[0] is None:
             shares = np.zeros(self.setup.team_size)

@@ -93,7 +93,7 @@ class Setup:
 
     @cached_property
     def rules(self) -> Rules:
-        """The rules as the kernels see them: the pursuer has a place, also where it is hidden."""
+        """The rules for the kernels; the pursuer has a position, also if it is hidden."""
         settings = Settings(self.sensing, self.update_time, 0, self.time_limit)
         return settings.rules(self.disk_around(np.zeros(2), 0.0), placed=True)
 

@@ -20,7 +20,7 @@ from views.flown_games import (
 )
 
 ROUNDING = 1e-14
-"""Of places in a square of side 1."""
+"""Of positions in a square of side 1."""
 
 
 @pytest.mark.parametrize("time", [0.0, 0.3, 0.5, 0.79])
@@ -68,7 +68,7 @@ def test_trajectories_are_arcs_between_rows_that_are_far_apart():
     assert (flown.evaders[flown.times >= FIRST_CAPTURE, 0] == [0.8, 0.0]).all()
 
 
-def test_a_trajectory_ends_at_the_moment():
+def test_a_trajectory_ends_at_the_snapshot():
     snapshot = snapshot_at(game_by_hand(), 0.5)
     past = until(trajectories(game_by_hand()), snapshot)
     assert past.times[-1] == 0.5

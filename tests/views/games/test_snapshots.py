@@ -85,8 +85,8 @@ def test_the_pursuer_points_where_it_flies():
 def test_trajectories_are_those_flown_until_then():
     (panel,) = draw_snapshots(game_by_hand(), [1.5]).axes
     flown = points(panel, "flown by evaders")
-    for place in (turning_evader(1.5), turning_evader(0.0), [0.6, 0.0], [0.8, 0.0]):
-        assert np.hypot(*(flown - place).T).min() < 1e-12
+    for position in (turning_evader(1.5), turning_evader(0.0), [0.6, 0.0], [0.8, 0.0]):
+        assert np.hypot(*(flown - position).T).min() < 1e-12
     assert flown[:, 1].max() == pytest.approx(turning_evader(1.5)[1])
 
 

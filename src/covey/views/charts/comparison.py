@@ -107,19 +107,14 @@ def _draw_panel(
     for k, size in enumerate(sizes):
         chosen = [ratio for ratio in ratios if ratio.size == size]
         offset = (k + 0.5) / len(sizes) - 0.5
-        color = style.TEAM_SHADES[k % len(style.TEAM_SHADES)]
         axes.errorbar(
             [ratio.value for ratio in chosen],
             [strips.index(ratio.strip) + 0.8 * offset for ratio in chosen],
             xerr=[ratio.error for ratio in chosen],
-            color=color,
-            marker=style.TEAM_MARKS[k % len(style.TEAM_MARKS)],
             markersize=0.5 * style.EVADER_SIZE,
-            markeredgewidth=0.0,
             linestyle="none",
-            elinewidth=1.3 * style.THIN_LINE,
-            label=f"$N = {size}$",
             gid=f"teams of {size}",
+            **style.team_size_series(k, size),
         )
     for boundary in range(len(strips) - 1):
         axes.axhline(boundary + 0.5, color=style.DISK, linewidth=0.5 * style.THIN_LINE)

@@ -76,21 +76,16 @@ def _top(panels: Mapping[str, Mapping[int, Curve]]) -> float:
 
 def _draw_panel(axes: Axes, turn_rates: Sequence[float], curves: Mapping[int, Curve]) -> None:
     for k, (size, curve) in enumerate(curves.items()):
-        color = style.TEAM_SHADES[k % len(style.TEAM_SHADES)]
         axes.errorbar(
             turn_rates,
             curve.ratios,
             yerr=curve.errors,
-            color=color,
-            marker=style.TEAM_MARKS[k % len(style.TEAM_MARKS)],
             markersize=0.8 * style.EVADER_SIZE,
-            markeredgewidth=0.0,
             linewidth=style.EVADER_LINE,
-            elinewidth=1.3 * style.THIN_LINE,
             capsize=2.0,
             capthick=1.3 * style.THIN_LINE,
-            label=f"$N = {size}$",
             gid=f"team of {size}",
+            **style.team_size_series(k, size),
         )
     axes.axhline(1.0, **style.GUIDE)
     axes.set_xticks(turn_rates, [_rate_text(rate) for rate in turn_rates])

@@ -85,6 +85,18 @@ RC: dict[str, Any] = {
     "ytick.major.width": THIN_LINE,
 }
 
+
+def team_size_series(k: int, size: int) -> dict[str, Any]:
+    """Return how the k-th of several team sizes is drawn, for `Axes.errorbar`."""
+    return {
+        "color": TEAM_SHADES[k % len(TEAM_SHADES)],
+        "marker": TEAM_MARKS[k % len(TEAM_MARKS)],
+        "markeredgewidth": 0.0,
+        "elinewidth": 1.3 * THIN_LINE,
+        "label": f"$N = {size}$",
+    }
+
+
 Arguments = ParamSpec("Arguments")
 Result = TypeVar("Result")
 
