@@ -89,19 +89,14 @@ def _draw_path(axes: Axes, motion: SingleTurn) -> None:
     start, bend = motion.at(0.0), motion.at(motion.turn_end)
     arrow = 0.4 * float(np.ptp(line, axis=0).max())
     tips = [start + arrow * towards(angle) for angle in (motion.heading, 0.0)]
-    set_view(
-        axes, camera_around(joined([line, *tips, bend + arrow * towards(0.0)]), 0.1), ticks=False
-    )
+    camera = camera_around(joined([line, *tips, bend + arrow * towards(0.0)]), 0.1)
+    set_view(axes, camera, ticks=False)
     center = motion.center
     axes.plot(*np.array([start, center, bend]).T, gid="guides", **style.GUIDE)
     draw(axes, FLOWN, line)
     draw(axes, EVADERS, start)
     draw(axes, DOTS, bend)
-    edges = [
-        line,
-        sampled(np.array([start, center, bend])),
-        sampled(np.array([start, tips[0]])),
-    ]
+    edges = [line, sampled(np.array([start, center, bend])), sampled(np.array([start, tips[0]]))]
     for corner, angle, name in (
         (start, motion.heading, r"$\theta^0$"),
         (bend, motion.goal_heading, r"$\phi$"),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from matplotlib.figure import Figure
 
@@ -52,15 +54,15 @@ def draw_game(game: Game) -> Figure:
     draw(axes, CAPTURED, points)
     draw(axes, EVADERS, end.team.positions[end.alive])
     draw(axes, pursuer_flying(start.pursuer_heading), start.pursuer, scale=0.8)
-    axes.set_title(_outcome(game), loc="left", pad=4)
     write = time_format(end_of(game))
+    axes.set_title(_outcome(game, write), loc="left", pad=4)
     texts = [f"{k}: {write(time)}" for k, time in enumerate(game.capture_times.tolist(), start=1)]
     label(axes, points, texts, joined(tracks))
     return figure
 
 
-def _outcome(game: Game) -> str:
-    write, end, n = time_format(end_of(game)), end_of(game), len(game.team)
+def _outcome(game: Game, write: Callable[[float], str]) -> str:
+    end, n = end_of(game), len(game.team)
     captured = len(game.capture_sequence)
     what = "survived" if captured == n else f"stopped with {n - captured} of {n} alive at"
     if game.objective["name"] != "last-capture":
