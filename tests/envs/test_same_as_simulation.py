@@ -13,7 +13,7 @@ import pytest
 import covey
 from covey.envs import pursuit_v0
 from covey.envs.episode import Episode
-from covey.envs.setup import TEAM, Setup, Start
+from covey.envs.setup import TEAM, InitialState, Setup
 
 DT, RATE, REACH = 0.05, math.pi / 2, 0.03
 GAME = {"capture_radius": REACH, "update_time": DT}
@@ -90,7 +90,7 @@ def captures_of_one_side(env, action_of):
 def captures_of_strategies(sensing, reach, seed, evaders, pursuer):
     """Captures (evader, time) of an episode in which nobody is left to agents."""
     setup = Setup(sensing=sensing, update_time=DT, capture_radius=reach)
-    start = Start(**options_of(seed), pursuer=np.zeros(2))
+    start = InitialState(**options_of(seed), pursuer=np.zeros(2))
     episode, captures = Episode(setup, start, 7, evaders, pursuer), []
     while not (episode.ended or episode.late):
         before = set(episode.living.tolist())

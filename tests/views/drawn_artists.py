@@ -16,9 +16,9 @@ def line(axes, name):
 
 
 def points(axes, name):
-    """Points (K, 2) of a sign, without the gaps between its paths."""
-    places = np.column_stack(line(axes, name).get_data()).astype(float)
-    return places[~np.isnan(places).any(axis=1)]
+    """Points (K, 2) of a marker, without the gaps between its paths."""
+    positions = np.column_stack(line(axes, name).get_data()).astype(float)
+    return positions[~np.isnan(positions).any(axis=1)]
 
 
 def disks(axes):

@@ -1,4 +1,4 @@
-"""Games to draw: one that is flown by hand, whose every place is known, and simulated ones."""
+"""Games to draw: one that is flown by hand, whose every position is known, and simulated ones."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def game_by_hand():
     """Evader 0 flees to the right and is captured at (0.8, 0), evader 1 turns. Three rows."""
     end = turning_evader(SECOND_CAPTURE)
     captured = np.array([0.8, 0.0])
-    places = [captured, end]
+    positions = [captured, end]
     return covey.Game(
         team=covey.Team([[0.6, 0.0], [0.0, 1.0]], [0.0, 0.0]),
         disk=covey.PursuerDisk(),
@@ -57,15 +57,15 @@ def game_by_hand():
         capture_times=np.array([FIRST_CAPTURE, SECOND_CAPTURE]),
         times=np.array([0.0, FIRST_CAPTURE, SECOND_CAPTURE]),
         evader_positions=np.array(
-            [[[0.6, 0.0], [0.0, 1.0]], [captured, turning_evader(FIRST_CAPTURE)], places]
+            [[[0.6, 0.0], [0.0, 1.0]], [captured, turning_evader(FIRST_CAPTURE)], positions]
         ),
         evader_headings=np.array([[0.0, 0.0], [0.0, 0.8 * RATE], [0.0, RATE]]),
         evader_turns=np.array([[0.0, RATE], [0.0, 0.2 * RATE], [0.0, 0.0]]),
         guarantees=SECOND_CAPTURE - np.array([0.0, FIRST_CAPTURE, SECOND_CAPTURE]),
         critical_sequences=np.array([[0, 1], [1, -1], [-1, -1]]),
         pursuer_sequences=np.array([[0, 1], [1, -1], [-1, -1]]),
-        pursuer_positions=np.array([[0.0, 0.0], *places]),
-        disk_centers=np.array([[0.0, 0.0], *places]),
+        pursuer_positions=np.array([[0.0, 0.0], *positions]),
+        disk_centers=np.array([[0.0, 0.0], *positions]),
         disk_radii=np.zeros(3),
     )
 
@@ -74,7 +74,7 @@ def game_by_hand():
 def simulated(sensing="hidden", seed=3, count=4, **options):
     """A game of section V of the paper, in few rows."""
     generator = np.random.default_rng(seed)
-    places = generator.uniform(-0.5, 0.5, (count, 2))
-    team = covey.Team(places, np.arctan2(places[:, 1], places[:, 0]))
+    positions = generator.uniform(-0.5, 0.5, (count, 2))
+    team = covey.Team(positions, np.arctan2(positions[:, 1], positions[:, 0]))
     disk = covey.PursuerDisk(capture_radius=options.pop("capture_radius", 0.0))
     return covey.simulate(team, disk, sensing=sensing, update_time=0.25, **options)

@@ -106,8 +106,8 @@ def test_a_plan_shows_its_captures_in_order():
         f"1: {FIRST_CAPTURE:.2f}",
         f"2: {SECOND_CAPTURE:.2f}",
     ]
-    places = np.array([text.xy for text in labels(axes)])
-    assert places == pytest.approx(np.array(captures), abs=1e-12)
+    positions = np.array([text.xy for text in labels(axes)])
+    assert positions == pytest.approx(np.array(captures), abs=1e-12)
 
 
 def test_a_game_shows_its_captures_in_order():

@@ -11,19 +11,19 @@ import pytest
 import covey
 from covey.web import human_game
 from covey.web.choices import Choices
-from covey.web.game_json import cast, picture
-from covey.web.human_game import LONGEST_GUARANTEE, UPDATE_TIME, Round
+from covey.web.game_json import frame, header
+from covey.web.human_game import LONGEST_GUARANTEE, UPDATE_TIME, HumanGame
 from web.chase_pages import aim
 
 BOTH = pytest.mark.parametrize("sensing", ["visible", "hidden"])
 
 
 def played(choices):
-    game = Round(choices)
+    game = HumanGame(choices)
     while not game.over:
         record = game.record()
-        game.person.steer(aim(picture(record, -1), cast(record)), None)
-        game.play(4)
+        game.pursuer.steer(aim(frame(record, -1), header(record)), None)
+        game.advance(4)
     return game
 
 
@@ -46,7 +46,7 @@ def test_a_whole_game_keeps_the_rules(sensing):
 def test_every_team_can_be_chased_to_the_end(team):
     game = played(Choices(evaders=3, team=team, sensing="hidden", seed=2, capture_radius=0.05))
     assert game.record().status is covey.GameStatus.ALL_CAPTURED
-    assert cast(game.record())["sure"] == (team in {"open-loop", "iterative-open-loop"})
+    assert header(game.record())["sure"] == (team in {"open-loop", "iterative-open-loop"})
     assert game.score().share > 0.0
 
 
@@ -62,32 +62,32 @@ def test_a_hidden_pursuer_is_always_in_the_disk_and_the_team_sees_nothing_else()
 
 
 def test_until_the_first_capture_a_hidden_pursuer_changes_nothing():
-    one, other = (Round(Choices(sensing="hidden", seed=5, capture_radius=0.01)) for _ in "ab")
-    one.person.steer(None, 0.3)
-    one.play(20)
-    other.play(20)
+    one, other = (HumanGame(Choices(sensing="hidden", seed=5, capture_radius=0.01)) for _ in "ab")
+    one.pursuer.steer(None, 0.3)
+    one.advance(20)
+    other.advance(20)
     assert np.array_equal(one.record().evader_positions, other.record().evader_positions)
     assert not np.array_equal(one.record().pursuer_positions, other.record().pursuer_positions)
 
 
 def test_a_visible_pursuer_is_seen():
-    one, other = (Round(Choices(sensing="visible", seed=5, capture_radius=0.01)) for _ in "ab")
-    one.person.steer(None, 0.3)
-    one.play(20)
-    other.play(20)
+    one, other = (HumanGame(Choices(sensing="visible", seed=5, capture_radius=0.01)) for _ in "ab")
+    one.pursuer.steer(None, 0.3)
+    one.advance(20)
+    other.advance(20)
     assert not np.array_equal(one.record().evader_positions, other.record().evader_positions)
 
 
 def test_a_near_target_is_flown_to_and_not_past():
-    game = Round(Choices(evaders=1, seed=1))
-    game.person.steer((0.0, 0.0125), None)
-    game.play(5)
+    game = HumanGame(Choices(evaders=1, seed=1))
+    game.pursuer.steer((0.0, 0.0125), None)
+    game.advance(5)
     assert game.record().pursuer_positions[-1] == pytest.approx([0.0, 0.0125], abs=1e-12)
-    game.person.steer(None, math.pi)
-    game.play(1)
+    game.pursuer.steer(None, math.pi)
+    game.advance(1)
     assert game.record().pursuer_positions[-1] == pytest.approx([-UPDATE_TIME, 0.0125], abs=1e-12)
-    game.person.steer(None, None)
-    game.play(1)
+    game.pursuer.steer(None, None)
+    game.advance(1)
     assert game.record().pursuer_positions[-1] == pytest.approx([-UPDATE_TIME, 0.0125], abs=1e-12)
 
 
@@ -106,8 +106,8 @@ def test_the_score_sets_the_person_beside_the_optimal_pursuer(sensing):
 
 def test_who_gives_up_scores_nothing(monkeypatch):
     monkeypatch.setattr(human_game, "TIME_LIMIT", 2.0)
-    game = Round(Choices(evaders=1))
-    game.play(10**6)
+    game = HumanGame(Choices(evaders=1))
+    game.advance(10**6)
     assert game.over
     assert game.record().times[-1] == pytest.approx(2.0)
     assert game.record().status is covey.GameStatus.TIME_LIMIT
@@ -116,14 +116,14 @@ def test_who_gives_up_scores_nothing(monkeypatch):
 
 def test_a_team_that_is_sure_to_outlive_the_person_is_refused():
     with pytest.raises(covey.InputError, match=f"more than {LONGEST_GUARANTEE:.0f}"):
-        Round(Choices(evaders=10, speed=0.6, pursuer_speed=0.7))
+        HumanGame(Choices(evaders=10, speed=0.6, pursuer_speed=0.7))
 
 
 def test_somebody_within_reach_at_the_start_is_captured_at_once():
     seed = next(
         s for s in range(500) if np.hypot(*Choices(evaders=1, seed=s).game()[0].positions[0]) < 0.1
     )
-    game = Round(Choices(evaders=1, seed=seed, capture_radius=0.1))
-    game.play(1)
+    game = HumanGame(Choices(evaders=1, seed=seed, capture_radius=0.1))
+    game.advance(1)
     assert game.over
     assert game.score() == (0.0, 0.0, 1.0)

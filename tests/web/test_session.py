@@ -12,7 +12,7 @@ import pytest
 import covey
 from covey.simulation.storage import read_game
 from covey.web import upload
-from covey.web.game_json import MOST_PICTURES
+from covey.web.game_json import MAX_FRAMES
 from covey.web.messages import MOST_CHARACTERS
 from covey.web.session import Session
 from web.chase_pages import aim
@@ -135,14 +135,14 @@ def test_a_record_goes_out_and_comes_in_unchanged(tmp_path):
 def test_a_record_of_simulate_is_shown(tmp_path):
     team = covey.Team([[300.0, 0.0], [0.0, -400.0]], [0.0, 1.0], 2.5, [math.inf, 0.001])
     game = covey.simulate(team, covey.PursuerDisk(speed=10.0), update_time=0.01)
-    assert len(game.times) > MOST_PICTURES
+    assert len(game.times) > MAX_FRAMES
     path = tmp_path / "game.parquet"
     covey.save_game(game, path)
     page = Page()
     (film,) = page.send(path.read_bytes())
     json.dumps(film, allow_nan=False)
     assert film["cast"]["turn_rates"] == [None, 0.001]
-    assert len(film["pictures"]) <= MOST_PICTURES + 4
+    assert len(film["pictures"]) <= MAX_FRAMES + 4
     times = [picture["time"] for picture in film["pictures"]]
     assert times == sorted(times)
     for i, when in zip(game.capture_sequence, game.capture_times, strict=True):

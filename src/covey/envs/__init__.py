@@ -1,6 +1,7 @@
-"""Learning environments: PettingZoo's and Gymnasium's views of the game.
+"""Learning environments, for PettingZoo and Gymnasium; they need `pip install 'covey[env]'`.
 
-`from covey.envs import pursuit_v0`; they need `pip install 'covey[env]'`.
+Read `pursuit_v0` first (the description), then `setup` (the game) and `episode` (one game, step by
+step), on which `parallel` and `single` build. `batch` and `vector` play many games at once.
 """
 
 try:

@@ -1,4 +1,4 @@
-"""Where pictures go: to a window in `render_mode` "human", to an array in "rgb_array"."""
+"""Shows pictures in a window (`render_mode` "human"), or returns them as arrays ("rgb_array")."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ RATE = 20
 
 
 class Canvas:
-    """Follows one game after another, if there is a mode to draw them in.
+    """Follows one game after another; with the mode None it does nothing.
 
     Parameters
     ----------
     mode
         None, "human" or "rgb_array".
     least_extent
-        A coordinate, a length, that pictures show at least.
+        Pictures show at least the coordinates from -`least_extent` to `least_extent`.
     """
 
     def __init__(self, mode: str | None, least_extent: float) -> None:
@@ -42,21 +42,21 @@ class Canvas:
         """Follow a game from its start."""
         self._episode, self._extent = episode, self._least_extent
         self._trails: dict[int, list[Floats]] = {}
-        self.go_on()
+        self.update()
 
-    def go_on(self) -> None:
-        """Remember where everybody is; in the mode "human", show it."""
+    def update(self) -> None:
+        """Add all positions to the trails; in the mode "human", show the game."""
         episode = self._episode
         if self.mode is None or episode is None:
             return
         state = episode.state
-        places = {i: state.resting[i, :2] for i in self._trails if i != PURSUER}
+        positions = {i: state.resting[i, :2] for i in self._trails if i != PURSUER}
         for i, row in zip(episode.living.tolist(), state.evaders, strict=False):
-            places[i] = row[[X, Y]]
-        places[PURSUER] = state.pursuer[:2]
-        for i, place in places.items():
-            self._trails.setdefault(i, []).append(place.copy())
-            self._extent = max(self._extent, float(np.abs(place).max()))
+            positions[i] = row[[X, Y]]
+        positions[PURSUER] = state.pursuer[:2]
+        for i, position in positions.items():
+            self._trails.setdefault(i, []).append(position.copy())
+            self._extent = max(self._extent, float(np.abs(position).max()))
         if self.mode == "human":
             self._show(episode)
 
@@ -86,6 +86,6 @@ class Canvas:
             self._window = pygame.display.set_mode((SIZE, SIZE))
             self._clock = pygame.time.Clock()
         self._window.blit(self._draw(episode), (0, 0))
-        pygame.event.pump()  # or the window manager would think that it hangs
+        pygame.event.pump()  # without events the window manager reports a hanging program
         pygame.display.flip()
         self._clock.tick(RATE)

@@ -1,11 +1,11 @@
-"""One game of an environment, played decision by decision by the rules of the simulation."""
+"""One game of an environment, step by step, by the rules of the simulation."""
 
 from __future__ import annotations
 
 import numpy as np
 import numpy.typing as npt
 
-from covey.envs.setup import STARTS, Setup, Start
+from covey.envs.setup import STARTS, InitialState, Setup
 from covey.kernels.play.observation import DISK, ROW, observe
 from covey.kernels.play.rules import NOBODY, announce, fly, remove
 from covey.model import InputError
@@ -25,37 +25,37 @@ Seen = npt.NDArray[np.float32]
 
 
 class Episode:
-    """One game. A side that has a strategy plays by itself, the other is given its decisions.
+    """One game. A strategy decides for its side; `step` is given the decisions of the other side.
 
     Parameters
     ----------
-    setup, start
-        The game.
+    setup, initial
+        The game, and its initial state.
     seed
-        Of the searches for plans.
+        Seed of the searches for plans.
     evaders, pursuer
-        Strategies, or functions of a `Situation`; None: decisions are given to `step`.
+        Strategies, or functions of a `Situation`; None: `step` is given the decisions.
 
     Attributes
     ----------
     guarantee : float
-        Survival time that the team's first plan guarantees or, where the team is given its
-        decisions, that of `covey.plan`.
+        Survival time that the team's first plan guarantees. A team without a strategy has no plan;
+        then that of `covey.plan`.
     state
-        Of the kernels; see `covey.kernels.play.rules`.
+        The kernels' state of the game; see `covey.kernels.play.rules`.
     """
 
     def __init__(
         self,
         setup: Setup,
-        start: Start,
+        initial: InitialState,
         seed: int,
         evaders: TeamStrategy | TeamPolicy | None,
         pursuer: PursuerStrategy | PursuerPolicy | None,
     ) -> None:
-        team, known = setup.team(start), setup.known_at_start(start)
+        team, known = setup.team(initial), setup.known_at_start(initial)
         self.setup, self.rules = setup, setup.rules
-        self.state = setup.first_state(start)
+        self.state = setup.first_state(initial)
         self._disk = known
         self._plan = None if evaders is None else policy_of("evaders", evaders, seed)
         self._decide = None if pursuer is None else policy_of("pursuer", pursuer, seed)
@@ -87,14 +87,14 @@ class Episode:
         return not self.ended and self.time >= self.rules.time_limit
 
     def info(self) -> dict[str, float]:
-        """Return what infos say: the survival time that was guaranteed, and the time now."""
+        """Return the guaranteed survival time, and the time now."""
         return {"guarantee": self.guarantee, "time": self.time}
 
     def step(self, shares: Floats | None, velocity: Velocity | None) -> float:
-        """Fly until the next update or capture, and return the time that it took.
+        """Fly until the next update or capture, and return the elapsed time.
 
-        `shares` (N,) are the evaders' turn rates, `velocity` (2,) is the pursuer's; None for a side
-        that plays by itself.
+        `shares` (N,) are the evaders' turn rates as shares of the largest, `velocity` (2,) is the
+        pursuer's; None for a side with a strategy.
         """
         if self.ended or self.late:
             raise InputError("step: expected a game that goes on, this one has ended; call reset()")
@@ -109,7 +109,7 @@ class Episode:
         if taken != NOBODY:
             remove(state, taken)
         if self._plan is None:
-            state.turns[:] = 0.0  # what a capture left of a turn is not announced any longer
+            state.turns[:] = 0.0  # a capture ends the step, and with it the announced turns
         elif not self.ended:
             self._announce_plan(self._plan)
         return self.time - before
@@ -119,25 +119,25 @@ class Episode:
         return self._seen_from(self.state.pursuer, NOBODY)
 
     def seen_by_team(self) -> Seen:
-        """Return what the team sees together, from the centre of the disk that it knows of."""
+        """Return the team's common observation, from the centre of the disk that it knows of."""
         return self._seen_from(self.state.disk, NOBODY)
 
     def seen_by(self, evader: int) -> Seen:
-        """Return an evader's observation; where it was captured, if it was."""
+        """Return an evader's observation; a captured one observes from its capture point."""
         row = np.flatnonzero(self.living == evader)
-        place = self.state.evaders[row[0]] if len(row) else self.state.resting[evader]
-        return self._seen_from(place, evader)
+        position = self.state.evaders[row[0]] if len(row) else self.state.resting[evader]
+        return self._seen_from(position, evader)
 
     def _decided(self, decide: PursuerPolicy) -> tuple[int, Velocity]:
-        """Return the row that the pursuer makes for, or NOBODY, and its velocity."""
+        """Return the row of the evader that the pursuer flies to, or NOBODY, and its velocity."""
         known = told_to_team(self.state, self._disk)
         decision = decide(told_to_pursuer(known, self.state, flies=True))
         _, target, velocity = checked_decision(decision, known.evaders, self._disk, flies=True)
         return target, velocity
 
-    def _seen_from(self, place: Floats, first: int) -> Seen:
+    def _seen_from(self, position: Floats, first: int) -> Seen:
         seen = np.empty(ROW * self.setup.team_size + DISK, np.float32)
-        observe(self.state, place[0], place[1], first, seen)
+        observe(self.state, position[0], position[1], first, seen)
         return seen
 
     def _announce_plan(self, plan_of: TeamPolicy) -> None:

@@ -31,7 +31,7 @@ class PursuitEnv(ParallelEnv[str, Seen, npt.ArrayLike]):  # type: ignore[misc] #
     Parameters
     ----------
     evaders, pursuer
-        A strategy plays that side, and its players are no agents then. None: they are.
+        The strategy of a side, whose players are no agents then; None: its players are agents.
     render_mode
         None, "rgb_array" or "human".
     **setup
@@ -40,7 +40,7 @@ class PursuitEnv(ParallelEnv[str, Seen, npt.ArrayLike]):  # type: ignore[misc] #
     Raises
     ------
     InputError
-        If the game can't be played, or neither side is left to agents.
+        If the game can't be played, or both sides have strategies.
     """
 
     metadata: ClassVar[dict[str, Any]] = {
@@ -94,9 +94,9 @@ class PursuitEnv(ParallelEnv[str, Seen, npt.ArrayLike]):  # type: ignore[misc] #
         """Start a game: drawn, or at the "positions" and "headings" in `options`."""
         if seed is not None:
             self._generator, _ = seeding.np_random(seed)
-        start = self.setup.draw(self._generator, options)
-        planning = int(self._generator.integers(2**31))
-        self._episode = Episode(self.setup, start, planning, *self._strategies)
+        initial = self.setup.draw(self._generator, options)
+        seed = int(self._generator.integers(2**31))
+        self._episode = Episode(self.setup, initial, seed, *self._strategies)
         self.agents = list(self.possible_agents)
         self._canvas.begin(self._episode)
         return self._seen(self.agents), self._infos(self.agents)
@@ -110,7 +110,7 @@ class PursuitEnv(ParallelEnv[str, Seen, npt.ArrayLike]):  # type: ignore[misc] #
         dict[str, bool],
         dict[str, dict[str, Any]],
     ]:
-        """Fly until the next update or capture; one action for each of `agents`."""
+        """Fly until the next update or capture, with one action for each of `agents`."""
         if set(actions) != set(self.agents):
             raise InputError(f"actions: expected one for each of {self.agents}, got {[*actions]}")
         if not actions:
@@ -122,7 +122,7 @@ class PursuitEnv(ParallelEnv[str, Seen, npt.ArrayLike]):  # type: ignore[misc] #
         terminations = {agent: self._is_out(agent) for agent in acting}
         truncations = {agent: episode.late and not terminations[agent] for agent in acting}
         self.agents = [a for a in acting if not (terminations[a] or truncations[a])]
-        self._canvas.go_on()
+        self._canvas.update()
         return self._seen(acting), rewards, terminations, truncations, self._infos(acting)
 
     def render(self) -> npt.NDArray[np.uint8] | None:
@@ -136,7 +136,7 @@ class PursuitEnv(ParallelEnv[str, Seen, npt.ArrayLike]):  # type: ignore[misc] #
     def _decisions(
         self, actions: Mapping[str, npt.ArrayLike]
     ) -> tuple[Floats | None, tuple[float, float] | None]:
-        """Return all evaders' turn rates and the pursuer's velocity; None for a strategy's side."""
+        """Return all turn rates (N,) and the pursuer's velocity; None for a strategy's side."""
         shares = velocity = None
         if self._strategies[0] is None:
             shares = np.zeros(self.setup.team_size)

@@ -1,8 +1,8 @@
 """Pursuit: a team of evaders that turn slowly against one pursuer that is faster than all of them.
 
-The pursuer captures whomever it comes within ρ of. The team wants its last member to be captured as
-late as possible, the pursuer as early as possible. These are the games of `covey.simulate`, step by
-step: whatever both sides do, captures and times are the same.
+The pursuer captures every evader that it comes within ρ of. The team wants its last member to be
+captured as late as possible, the pursuer as early as possible. These are the games of
+`covey.simulate`, step by step: the same decisions give the same captures and times.
 
 =================  ======================================================================
 import             ``from covey.envs import pursuit_v0``
@@ -16,62 +16,62 @@ observation        ``Box((6N + 3,))``, of every agent
 =================  ======================================================================
 
 All take the fields of `Setup` as keyword arguments: team size, speeds, turn rates, the pursuer's
-speed and reach, what the team sees, the time of a step, where games start. Lengths and times are
+speed and reach, what the team sees, the time of a step, initial states. Lengths and times are
 in any consistent unit, angles are radians, counter-clockwise from +x.
 
-**Steps.** A step takes Δt (`update_time`) or ends at the first capture in it, at its exact time:
-everybody decides anew then. Episodes end when everybody is captured (terminated) or at `time_limit`
-(truncated). Captured evaders leave `agents`.
+**Steps.** A step takes Δt (`update_time`), or less if there is a capture: it ends at the exact time
+of the capture, and everybody decides anew. Episodes end when everybody is captured (terminated) or
+at `time_limit` (truncated). Captured evaders leave `agents`.
 
-**Actions.** An evader's action a in [-1, 1] is the turn rate that it averages over a whole step, as
-a share of its largest, positive counter-clockwise. It turns by a ω Δt as every plan does (eq. 5 of
-the paper): at full rate ω first, then it flies straight. That is at most a half turn; where the
-rate is unlimited (inf), the evader turns at once, by a π.
+**Actions.** An evader's action a in [-1, 1] is its mean turn rate over a whole step, as a share of
+its largest rate ω, positive counter-clockwise. The evader turns by a ω Δt as in every plan (eq. 5
+of the paper): at full rate first, then it flies straight. It turns by at most π; an evader whose
+rate is unlimited (inf) turns at once, by a π.
 
-The pursuer flies at full speed in the direction of its action. A vector has no seam at ±π, and its
-length doesn't matter; only (0, 0) means something else: it waits.
+The pursuer flies at full speed in the direction of its action, a vector of any length. At (0, 0) it
+waits. (An angle would have a jump at ±π.)
 
-**Observations** are relative to the observer's place, in axes that don't turn:
+**Observations** are relative to the observer's position, in axes that don't turn:
 
 =================  ======================  ====================================================
 numbers            range                   what
 =================  ======================  ====================================================
 6 for each evader
- 0, 1              [-L, L]                 place, a length
+ 0, 1              [-L, L]                 position, a length
  2, 3              [-v, v]                 velocity, length per time
- 4                 [-π, π]                 turn it announced; 0 if its side has no strategy
+ 4                 [-π, π]                 announced turn; 0 if its side has no strategy
  5                 {0, 1}                  1 while it lives; all are 0 once it is captured
 3 at the end
  0, 1              [-L, L]                 centre of the disk that the team knows of
  2                 [0, L]                  its radius; 0 if the pursuer is visible
 =================  ======================  ====================================================
 
-v is the largest speed of an evader, L what two players can be apart at the time limit. To an evader
-its own row comes first, then the others by number; to the pursuer and to a team that acts as one
-they come by number. The team observes from the centre of its disk.
+v is the largest speed of an evader, L a bound on the distance of two players up to the time limit.
+An evader sees its own row first, then the others by number. The pursuer, and a team that acts as
+one, see the rows by number. The team observes from the centre of its disk.
 
-With ``sensing="hidden"`` the evaders know the pursuer by its disk alone: it grows at the pursuer's
-speed and collapses, to the radius ρ, at each capture. The pursuer really flies inside it. It sees
-the disk too.
+With ``sensing="hidden"`` the evaders know only the pursuer's disk. The disk grows at the pursuer's
+speed and collapses, to the radius ρ, at each capture. The pursuer flies inside the disk, and sees
+it too.
 
-**Rewards.** The time that a step takes, paid by the pursuer to the living evaders in equal shares:
+**Rewards.** The pursuer pays the time of a step to the living evaders, in equal shares. The game is
 zero-sum, and the whole team receives its survival time. In `TeamEnv` the team is paid as one.
 
-**Infos.** ``"guarantee"``: the survival time that the team's first plan guarantees, or, where the
-team doesn't plan, that `covey.plan` does from the same start (8 starts of its search).
-``"time"``: the time now, at the end of a game the survival time.
+**Infos.** ``"guarantee"``: the survival time that the team's first plan guarantees. A team that
+doesn't plan has that of `covey.plan` for the same initial state (8 starts of its search).
+``"time"``: the time now; at the end of a game, the survival time.
 
 **Opponents.** ``parallel_env(evaders=...)`` or ``parallel_env(pursuer=...)`` lets a strategy play
-one side: any that comes with the package, or a function of a `covey.Situation`. Where the pursuer
-starts is the environment's, also if its strategy has a `place`. `PursuerEnv` plays against
-iterative open loop, `TeamEnv` against the committed pursuer, unless told otherwise. Batches play
-compiled, against `covey.IterativeOpenLoop`, `covey.OpenLoop`, `covey.CommittedPursuer`,
+one side: any that comes with the package, or a function of a `covey.Situation`. The environment
+says where the pursuer starts, also if its strategy has a `place`. By default `PursuerEnv` plays
+against iterative open loop, `TeamEnv` against the committed pursuer. Batches play compiled,
+against `covey.IterativeOpenLoop`, `covey.OpenLoop`, `covey.CommittedPursuer`,
 `covey.PatientPursuer`, `covey.FixedSequence`, `covey.BestSequence`, `covey.RandomSequence`. They
-begin a game anew in the step that ends it (Gymnasium's ``SAME_STEP``), and game b with seed s is
-the game of the single view with seed s + b.
+begin a game anew in the step that ends it (Gymnasium's ``SAME_STEP``). Game b with seed s is the
+game of the single environment with seed s + b.
 
-**Starts** are drawn. ``reset(options={"positions": (N, 2), "headings": (N,)})`` gives one; without
-headings they are drawn as `Setup` says.
+**Initial states** are drawn. ``reset(options={"positions": (N, 2), "headings": (N,)})`` sets one;
+without ``"headings"``, these are drawn as `Setup` says.
 """
 
 import gymnasium

@@ -1,4 +1,4 @@
-"""Which game an environment plays: its players, its rules, and where they start."""
+"""Which game an environment plays: its players, its rules, and its initial states."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ STARTS = 8
 """Starts of the search for what a game guarantees; 32 find 0.02 % more for N = 3, 0.5 % for 5."""
 
 TEAM = IterativeOpenLoop(starts=STARTS, restarts=2)
-"""The team that is played against: it survives as long as with all starts, within 0.2 %."""
+"""The default opponent: within 0.2 % it survives as long as with all starts."""
 
 
-class Start(NamedTuple):
-    """Where a game starts."""
+class InitialState(NamedTuple):
+    """Positions and headings of the evaders, and the pursuer's position, at time 0."""
 
     positions: Floats  # (N, 2)
     headings: Floats  # (N,)
@@ -49,15 +49,15 @@ class Setup:
     pursuer_speed
         Larger than every evader's.
     capture_radius
-        ρ > 0: a pursuer that is a point in a plane would never meet anybody.
+        ρ > 0: actions would hardly ever lead a pursuer with ρ = 0 to a capture.
     disk_radius
         The pursuer starts anywhere in a disk of this radius around the origin.
     sensing
-        "visible", or "hidden": the evaders see the disk that the pursuer must be in, and no more.
+        "visible", or "hidden": the evaders see only the disk that contains the pursuer.
     update_time
         Δt > 0, the time of a step that brings no capture.
     time_limit
-        A game that lasts as long is truncated.
+        A game is truncated at this time.
     side
         Evaders start uniformly in a square of this side around the origin.
     headings
@@ -66,7 +66,7 @@ class Setup:
     Raises
     ------
     InputError
-        If one of them can't be used.
+        If a field is outside of its range.
     """
 
     team_size: int = 3
@@ -93,7 +93,7 @@ class Setup:
 
     @cached_property
     def rules(self) -> Rules:
-        """The rules as the kernels see them: the pursuer has a place, also where it is hidden."""
+        """The rules for the kernels; the pursuer has a position, also if it is hidden."""
         settings = Settings(self.sensing, self.update_time, 0, self.time_limit)
         return settings.rules(self.disk_around(np.zeros(2), 0.0), placed=True)
 
@@ -107,26 +107,28 @@ class Setup:
         """Speed of the fastest evader."""
         return float(self._anywhere.speeds.max())
 
-    def team(self, start: Start) -> Team:
-        """Return the team at the start of a game."""
-        return Team(start.positions, start.headings, self.speed, self.turn_rate)
+    def team(self, initial: InitialState) -> Team:
+        """Return the team at time 0."""
+        return Team(initial.positions, initial.headings, self.speed, self.turn_rate)
 
-    def first_state(self, start: Start) -> State:
-        """Return the state at the start of a game, nothing announced."""
-        return first_state(self.team(start), self.known_at_start(start), start.pursuer)
+    def first_state(self, initial: InitialState) -> State:
+        """Return the kernels' state at time 0, with no turns announced."""
+        return first_state(self.team(initial), self.known_at_start(initial), initial.pursuer)
 
     def disk_around(self, center: Floats, radius: float) -> PursuerDisk:
-        """Return a disk that the pursuer is in."""
+        """Return a disk of this pursuer."""
         return PursuerDisk(center, radius, self.pursuer_speed, self.capture_radius)
 
-    def known_at_start(self, start: Start) -> PursuerDisk:
-        """Return what the team knows of the pursuer at the start."""
+    def known_at_start(self, initial: InitialState) -> PursuerDisk:
+        """Return the disk that the team knows of at time 0."""
         if self.rules.hidden:
             return self.disk_around(np.zeros(2), self.disk_radius)
-        return self.disk_around(start.pursuer, 0.0)
+        return self.disk_around(initial.pursuer, 0.0)
 
-    def draw(self, generator: np.random.Generator, options: Mapping[str, Any] | None) -> Start:
-        """Draw a start; `options` may give its "positions" and "headings" instead.
+    def draw(
+        self, generator: np.random.Generator, options: Mapping[str, Any] | None
+    ) -> InitialState:
+        """Draw an initial state; `options` may set its "positions" and "headings".
 
         Raises
         ------
@@ -154,10 +156,10 @@ class Setup:
             if "positions" not in given:
                 raise InputError("headings: expected positions with them, got headings alone")
             headings = frozen_array("headings", given["headings"], (count,))
-        return Start(positions, headings, pursuer)
+        return InitialState(positions, headings, pursuer)
 
     @cached_property
     def _anywhere(self) -> Team:
-        """The team, to check and broadcast what its members can."""
+        """A team at the origin, to check and broadcast speeds and turn rates."""
         count = self.team_size
         return Team(np.zeros((count, 2)), np.zeros(count), self.speed, self.turn_rate)

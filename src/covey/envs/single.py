@@ -1,4 +1,4 @@
-"""The game as one side sees it, the other played by a strategy: Gymnasium's view."""
+"""The game as a Gymnasium environment: one side acts, a strategy plays the other."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from covey.simulation import PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStr
 
 
 class _OneSide(gymnasium.Env[Seen, npt.ArrayLike]):
-    """What both views share: games, one after another, and their pictures."""
+    """What both environments share: one game after another, and pictures."""
 
     metadata: dict[str, Any] = {"render_modes": MODES, "render_fps": RATE}  # noqa: RUF012 as declared
     _evaders: TeamStrategy | TeamPolicy | None = None
@@ -39,9 +39,9 @@ class _OneSide(gymnasium.Env[Seen, npt.ArrayLike]):
     ) -> tuple[Seen, dict[str, Any]]:
         """Start a game: drawn, or at the "positions" and "headings" in `options`."""
         super().reset(seed=seed)
-        start = self.setup.draw(self.np_random, options)
-        planning = int(self.np_random.integers(2**31))
-        episode = Episode(self.setup, start, planning, self._evaders, self._pursuer)
+        initial = self.setup.draw(self.np_random, options)
+        planning_seed = int(self.np_random.integers(2**31))
+        episode = Episode(self.setup, initial, planning_seed, self._evaders, self._pursuer)
         self._canvas.begin(episode)
         self._episode = episode
         return self._seen(episode), episode.info()
@@ -64,7 +64,7 @@ class _OneSide(gymnasium.Env[Seen, npt.ArrayLike]):
         if episode is None:
             raise InputError("step: expected a game to be begun; call reset() first")
         reward = sign * episode.step(shares, velocity)
-        self._canvas.go_on()
+        self._canvas.update()
         return self._seen(episode), reward, episode.ended, episode.late, episode.info()
 
 
@@ -93,7 +93,7 @@ class PursuerEnv(_OneSide):
         self.action_space: Space[Any] = direction_space()
 
     def step(self, action: npt.ArrayLike) -> tuple[Seen, float, bool, bool, dict[str, Any]]:
-        """Fly in a direction (2,) until the next update or capture; it costs the time it takes."""
+        """Fly in a direction (2,) until the next update or capture; the reward is -(its time)."""
         velocity = velocity_of("action", action, self.setup.pursuer_speed)
         return self._step(None, velocity, -1.0)
 
@@ -126,7 +126,7 @@ class TeamEnv(_OneSide):
         self.action_space: Space[Any] = steering_space(self.setup.team_size)
 
     def step(self, action: npt.ArrayLike) -> tuple[Seen, float, bool, bool, dict[str, Any]]:
-        """Turn at rates (N,), the captured's ignored, until the next update or capture."""
+        """Turn at rates (N,) until the next update or capture; captured evaders' are ignored."""
         shares = shares_of("action", action, (self.setup.team_size,))
         return self._step(shares, None, 1.0)
 

@@ -1,4 +1,4 @@
-"""What agents see and do, as Gymnasium's spaces."""
+"""Gymnasium spaces of observations and actions."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from covey.kernels.play.observation import DISK, ROW
 
 
 def observation_space(setup: Setup) -> Box:
-    """Return the space of what every agent sees: (6N + 3,), see `covey.envs.pursuit_v0`."""
-    # Farther apart than two opposite corners, and what both can fly until the time limit.
+    """Return the space (6N + 3,) of every agent's observation; see `covey.envs.pursuit_v0`."""
+    # No two players are farther apart: opposite corners, and flights until the time limit.
     length = math.sqrt(2.0) * setup.side + 2.0 * setup.disk_radius + setup.capture_radius
     length += (setup.pursuer_speed + setup.fastest) * setup.time_limit
     row = [length, length, setup.fastest, setup.fastest, math.pi, 1.0]
@@ -25,10 +25,10 @@ def observation_space(setup: Setup) -> Box:
 
 
 def direction_space() -> Box:
-    """Return the space of the pursuer's action: (2,), the direction it flies in."""
+    """Return the space of the pursuer's action, its direction (2,)."""
     return Box(-1.0, 1.0, (2,), np.float32)
 
 
 def steering_space(count: int) -> Box:
-    """Return the space of `count` evaders' turn rates, shares of the largest."""
+    """Return the space of the turn rates (`count`,) of evaders, shares of the largest."""
     return Box(-1.0, 1.0, (count,), np.float32)

@@ -1,4 +1,4 @@
-"""Batches of games in which one side acts and the other plays compiled: Gymnasium's vector view."""
+"""Batches of games as Gymnasium vector environments: one side acts, the other plays compiled."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.envs.actions import shares_of, velocities_of
-from covey.envs.games import Games, stacked
-from covey.envs.setup import STARTS, TEAM, Start
+from covey.envs.batch import GameBatch, stacked
+from covey.envs.setup import STARTS, TEAM, InitialState
 from covey.kernels.maximum.multistart import search_scratch
 from covey.kernels.maximum.sqp import ascent_scratch
 from covey.kernels.maximum.working_set import Columns, make_columns
@@ -29,7 +29,7 @@ from covey.players.compiled import (
 from covey.players.teams.open_loop import first_memory
 
 
-class PursuerVectorEnv(Games):
+class PursuerVectorEnv(GameBatch):
     """Be the pursuers of many games, against teams that plan compiled.
 
     Parameters
@@ -45,7 +45,7 @@ class PursuerVectorEnv(Games):
     Raises
     ------
     InputError
-        If the game can't be played, or the strategy isn't one of the two.
+        If the game can't be played, or `evaders` is neither of the two.
     """
 
     of_team = False
@@ -68,9 +68,9 @@ class PursuerVectorEnv(Games):
         self._memories = TeamMemory(columns, noises, lasts, aim_of(LastCapture(), n))
         self._scratch = search_scratch(n)
 
-    def begin_opponent(self, b: int, start: Start, seed: int) -> float:
-        """Plan, and remember what the plan will be improved with."""
-        team, known = self.setup.team(start), self.setup.known_at_start(start)
+    def begin_opponent(self, b: int, initial: InitialState, seed: int) -> float:
+        """Plan, and keep the memory from which replanning starts."""
+        team, known = self.setup.team(initial), self.setup.known_at_start(initial)
         first = plan(team, known, seed=seed, starts=self._evaders.starts)
         self.states.turns[b] = first.turns
         columns, noise, last, _ = first_memory(first, seed, self._policy.restarts)
@@ -92,7 +92,7 @@ class PursuerVectorEnv(Games):
         )
 
 
-class TeamVectorEnv(Games):
+class TeamVectorEnv(GameBatch):
     """Be the teams of many games, against pursuers that are compiled.
 
     Parameters
@@ -100,7 +100,7 @@ class TeamVectorEnv(Games):
     num_envs
         B games.
     pursuer
-        One that follows sequences: `CommittedPursuer`, `PatientPursuer`, `FixedSequence`,
+        A pursuer that follows sequences: `CommittedPursuer`, `PatientPursuer`, `FixedSequence`,
         `BestSequence`, `RandomSequence`.
     **setup
         Fields of `Setup`: the game.
@@ -108,7 +108,7 @@ class TeamVectorEnv(Games):
     Raises
     ------
     InputError
-        If the game can't be played, or the strategy isn't one of the two.
+        If the game can't be played, or `pursuer` is none of these five.
     """
 
     of_team = True
@@ -129,17 +129,17 @@ class TeamVectorEnv(Games):
         self._followed = np.zeros(num_envs, np.int64)
         self._scratch, self._times = ascent_scratch(n), np.empty(n)
 
-    def begin_opponent(self, b: int, start: Start, seed: int) -> float:
-        """Let the pursuer of game b have its first sequence in mind, or none yet."""
-        team, known = self.setup.team(start), self.setup.known_at_start(start)
-        place = self.setup.disk_around(start.pursuer, 0.0)
+    def begin_opponent(self, b: int, initial: InitialState, seed: int) -> float:
+        """Set the sequence that the pursuer of game b follows at first, if any."""
+        team, known = self.setup.team(initial), self.setup.known_at_start(initial)
+        point = self.setup.disk_around(initial.pursuer, 0.0)
         self._margin, self._sequences[b], self._followed[b] = self._pursuer.commitment(
-            team, place, seed
+            team, point, seed
         )
         return plan(team, known, seed=seed, starts=STARTS).survival_time
 
     def fly(self, actions: npt.ArrayLike) -> None:
-        """Turn the evaders at rates (B, N), shares of their largest."""
+        """Turn the evaders at rates (B, N), shares of the largest."""
         shares = shares_of("actions", actions, (self.num_envs, self.setup.team_size))
         fly_teams(
             self.states,

@@ -1,6 +1,7 @@
-"""Pictures and animations of plans and games. They read records, and never solve.
+"""Pictures and films of plans, games and studies. They read records, and never solve.
 
-Importing this room is cheap: matplotlib is loaded with the first picture.
+Read `kit` first (what all pictures share), then `games`, `film` and `charts`. Importing this room
+is cheap: matplotlib is loaded with the first picture.
 """
 
 from __future__ import annotations

@@ -17,26 +17,26 @@ from covey.web.connection import converse
 from covey.web.origin import is_own_host, is_own_origin
 
 MOST_PAGES = 200
-"""At once; one more is told to come back later."""
+"""At once; the server tells another page to come back later."""
 
 _FOLDER = Path(__file__).parent / "page"
 _TRY_AGAIN_LATER = 1013
 
 _HEADERS = {
-    # Nothing from elsewhere is loaded, whatever a bug or a record might say.
+    # Nothing is loaded from other servers, even if a bug or a record asks for it.
     "content-security-policy": (
         "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
         "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
     ),
     "x-content-type-options": "nosniff",
     "referrer-policy": "no-referrer",
-    "cache-control": "no-cache",  # a newer covey brings a newer page
+    "cache-control": "no-cache",  # or browsers would keep the page of an older covey
 }
 
 
 def make_app(served: str = "127.0.0.1") -> ASGIApp:
     """Return the application; `served` is the name under which it can be reached."""
-    mimetypes.add_type("text/javascript", ".js")  # some machines have another idea
+    mimetypes.add_type("text/javascript", ".js")  # some machines map .js to another type
     app = Starlette(
         routes=[
             WebSocketRoute("/play", _play),
@@ -61,7 +61,7 @@ async def _play(websocket: WebSocket) -> None:
 
 
 class Guard:
-    """Turns away who may not talk to the server, and tells browsers how strict to be."""
+    """Refuses foreign hosts and origins, and adds the security headers to every response."""
 
     def __init__(self, app: Starlette, served: str) -> None:
         self.app, self._served = app, served

@@ -1,4 +1,4 @@
-"""What a person can choose before a game, within which limits, and the game that comes of it."""
+"""What a person can choose before a game, the limits of each choice, and the game it makes."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ from covey.scenarios import example_path, load_scenario
 from covey.scenarios.samplers import Formation, Sampler, Square
 from covey.simulation import TeamStrategy
 
-_PACE = 0.05
-"""Between two plans of teams that think in Python, up to some 10 ms at a time."""
+_REPLAN_TIME = 0.05
+"""Of teams that plan in Python, which takes up to some 10 ms."""
 
 _TEAMS: dict[str, TeamStrategy] = {
     "iterative-open-loop": IterativeOpenLoop(),
     "open-loop": OpenLoop(),
-    "constant-heading": ConstantHeading(replan_time=_PACE),
-    "largest-distance": LargestDistance(replan_time=_PACE),
-    "smallest-danger": SmallestDanger(replan_time=_PACE),
+    "constant-heading": ConstantHeading(replan_time=_REPLAN_TIME),
+    "largest-distance": LargestDistance(replan_time=_REPLAN_TIME),
+    "smallest-danger": SmallestDanger(replan_time=_REPLAN_TIME),
     "straight-away": StraightAway(),
 }
 _SAMPLERS: dict[str, Sampler] = {"random": Square(), "formation": Formation()}
@@ -38,9 +38,9 @@ _FIG3_EVADERS = 5
 
 
 class Choices(BaseModel):
-    """One game: the same choices give the same start and the same team, wherever it is played.
+    """One game: the same choices give the same start and the same team on every machine.
 
-    The pursuer begins at the origin, where the team knows it to be. It is flown, so it captures
+    The pursuer begins at the origin, and the team knows that. A person steers it, so it captures
     only with a capture radius > 0.
     """
 

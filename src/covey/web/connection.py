@@ -1,4 +1,4 @@
-"""One WebSocket: reads what comes within limits, runs the session, sends what it says."""
+"""One WebSocket: reads messages within a rate limit, runs the session, sends its replies."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ import time
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from covey.web.rate_limit import Budget
+from covey.web.rate_limit import TokenBucket
 from covey.web.session import Reply, Session, error_reply
 
 _FRAME = 1.0 / 60.0
-"""Seconds between two frames: no screen needs more, for the page interpolates."""
+"""Seconds between two frames: enough for every screen, since the page interpolates."""
 
 _MESSAGES_PER_SECOND = 120.0
 _FILE_COSTS = 60.0
@@ -22,7 +22,7 @@ Inbox = asyncio.Queue[str | bytes]
 
 
 async def converse(websocket: WebSocket) -> None:
-    """Serve a page until it is closed, which ends its game."""
+    """Serve a page until it is closed. Its game ends then."""
     inbox: Inbox = asyncio.Queue(_MOST_WAITING)
     tasks = [
         asyncio.create_task(_read(websocket, inbox)),
@@ -41,9 +41,9 @@ async def converse(websocket: WebSocket) -> None:
 
 
 async def _read(websocket: WebSocket, inbox: Inbox) -> None:
-    """Pass messages on; those beyond the budget are dropped, and the page is told now and then."""
-    budget = Budget(_MESSAGES_PER_SECOND, 2.0 * _MESSAGES_PER_SECOND)
-    complaints = Budget(1.0, 1.0)
+    """Pass messages on. Those beyond the limit are dropped; the page is told once a second."""
+    limit = TokenBucket(_MESSAGES_PER_SECOND, 2.0 * _MESSAGES_PER_SECOND)
+    complaints = TokenBucket(1.0, 1.0)
     while True:
         event = await websocket.receive()
         if event["type"] == "websocket.disconnect":
@@ -52,18 +52,18 @@ async def _read(websocket: WebSocket, inbox: Inbox) -> None:
         cost = 1.0
         if message is None:
             message, cost = event["bytes"], _FILE_COSTS
-        if budget.spend(time.monotonic(), cost):
+        if limit.take(time.monotonic(), cost):
             await inbox.put(message)
-        elif complaints.spend(time.monotonic()):
+        elif complaints.take(time.monotonic()):
             text = f"expected at most {_MESSAGES_PER_SECOND:g} messages a second; some were dropped"
             await _send(websocket, error_reply(text))
 
 
 async def _play(websocket: WebSocket, inbox: Inbox) -> None:
-    """Answer what has come and play what is due, frame by frame.
+    """Answer the messages that have come and play the updates that are due, frame by frame.
 
-    Both happen in a thread, for the kernels let others run beside them; one thread a frame, so that
-    messages that come fast don't queue up.
+    Both happen in a thread, since kernels release the interpreter's lock. One thread answers all
+    messages of a frame, so messages that come fast don't queue up.
     """
     session = Session()
     while True:
@@ -81,7 +81,7 @@ def _replies(session: Session, messages: list[str | bytes]) -> list[Reply]:
     replies: list[Reply] = []
     for message in messages:
         replies += session.receive(message, time.monotonic())
-    if not replies:  # what is asked for is sent before more is computed
+    if not replies:  # replies are sent before more is computed
         replies += session.advance(time.monotonic())
     return replies
 

@@ -1,4 +1,4 @@
-"""A game as the page draws it: one picture a row of the record, in what JSON can say."""
+"""A game as JSON for the page: a header (the key "cast"), and a frame ("picture") for each row."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ from covey.model import PursuerDisk, Team
 from covey.planning import capture_times
 from covey.simulation import Game
 
-MOST_PICTURES = 1500
-"""Of a film: with more, a page would be slow to load it and no smoother."""
+MAX_FRAMES = 1500
+"""Of a replay: with more frames, a page loads more slowly and looks no smoother."""
 
 _KEEPS_GUARANTEE = {"open-loop", "iterative-open-loop"}
-"""Teams that never fall short of what their first plan is worth."""
+"""Teams that always survive at least as long as their first plan guarantees."""
 
 Json = dict[str, Any]
 
 
-def cast(game: Game) -> Json:
-    """Return what stays the same during a game."""
+def header(game: Game) -> Json:
+    """Return what is constant during a game."""
     names = {side: str(each.get("name", "")) for side, each in game.strategies.items()}
     return {
         "evaders": len(game.team),
         "speeds": game.team.speeds.tolist(),
-        # None: it turns at once.
+        # None: unlimited.
         "turn_rates": [rate if math.isfinite(rate) else None for rate in game.team.turn_rates],
         "pursuer_speed": game.disk.speed,
         "capture_radius": game.disk.capture_radius,
@@ -37,8 +37,8 @@ def cast(game: Game) -> Json:
     }
 
 
-def picture(game: Game, row: int) -> Json:
-    """Return one row: the state, the plan that is flown from there on, and what it expects."""
+def frame(game: Game, row: int) -> Json:
+    """Return one row: the state, the plan that is flown from then on, and its expected captures."""
     critical = game.critical_sequences[row]
     sequence = critical[critical >= 0]
     captured = len(game.team) - len(sequence)
@@ -61,16 +61,16 @@ def picture(game: Game, row: int) -> Json:
     }
 
 
-def film(game: Game) -> Json:
-    """Return the whole game, with at most `MOST_PICTURES` of its rows and those of the captures."""
-    rows = np.linspace(0, len(game.times) - 1, min(MOST_PICTURES, len(game.times)), dtype=int)
+def replay(game: Game) -> Json:
+    """Return the whole game: at most `MAX_FRAMES` of its rows, and those around captures."""
+    rows = np.linspace(0, len(game.times) - 1, min(MAX_FRAMES, len(game.times)), dtype=int)
     captures = np.searchsorted(game.times, game.capture_times, side="right") - 1
     before = np.searchsorted(game.times, game.capture_times, side="left") - 1
     rows = np.unique(np.concatenate([rows, np.maximum(before, 0), captures]))
     time = game.survival_time
     return {
-        "cast": cast(game),
-        "pictures": [picture(game, row) for row in rows.tolist()],
+        "cast": header(game),
+        "pictures": [frame(game, row) for row in rows.tolist()],
         "survival_time": time if math.isfinite(time) else None,
     }
 

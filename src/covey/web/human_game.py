@@ -1,4 +1,4 @@
-"""One game that a person plays, the optimal pursuer's game from the same start, and the score."""
+"""A game that a person plays, the optimal pursuer's game from the same start, and the score."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from covey.players import CommittedPursuer, simulate
 from covey.simulation import Game, Settings
 from covey.simulation.match import Match
 from covey.web.choices import Choices
-from covey.web.human_pursuer import Person
+from covey.web.human_pursuer import HumanPursuer
 
 UPDATE_TIME = 0.005
-"""In the game's time: even at a quarter of the pace the team plans every 20 ms."""
+"""Of the game's time: even at a quarter of real time the team plans every 20 ms."""
 
 TIME_LIMIT = 120.0
-"""A game is stopped then, with its evaders alive: nobody chases for longer."""
+"""A game is stopped then: nobody chases for longer."""
 
 LONGEST_GUARANTEE = 60.0
-"""No game is offered that could not be won well before the time limit."""
+"""Games with a longer guarantee are refused: they could hardly be won before the time limit."""
 
 
-class Score(NamedTuple):
+class GameScore(NamedTuple):
     """A person against the optimal pursuer; None where not everybody was captured.
 
     Attributes
@@ -31,9 +31,9 @@ class Score(NamedTuple):
     time : float or None
         Survival time of the team against the person.
     above : float or None
-        How far it is above the guarantee of the first plan.
+        `time` minus the guarantee of the first plan.
     share : float
-        Survival time against the optimal pursuer over that against the person: 1 is as good.
+        Survival time against the optimal pursuer over `time`: 1 is as good, 0 if `time` is None.
     """
 
     time: float | None
@@ -41,20 +41,20 @@ class Score(NamedTuple):
     share: float
 
 
-class Round:
+class HumanGame:
     """A game that a person plays.
 
     Raises
     ------
     InputError
-        If the team would be guaranteed to survive for too long.
+        If the guarantee of the team is above `LONGEST_GUARANTEE`.
     """
 
     def __init__(self, choices: Choices) -> None:
         self._choices = choices
-        self.person = Person(UPDATE_TIME)
+        self.pursuer = HumanPursuer(UPDATE_TIME)
         settings = Settings(choices.sensing, UPDATE_TIME, choices.seed, TIME_LIMIT)
-        self._match = Match(*choices.game(), choices.team_strategy(), self.person, settings)
+        self._match = Match(*choices.game(), choices.team_strategy(), self.pursuer, settings)
         guarantee = self._match.record().guarantee
         if guarantee > LONGEST_GUARANTEE:
             raise InputError(
@@ -67,8 +67,8 @@ class Round:
         """Whether everybody is captured, or the time limit is reached."""
         return self._match.over
 
-    def play(self, updates: int) -> int:
-        """Play on for so many updates, or to the end; return how many it were."""
+    def advance(self, updates: int) -> int:
+        """Play `updates` updates, or fewer to the end; return the number played."""
         for played in range(updates):
             if self.over:
                 return played
@@ -93,12 +93,12 @@ class Round:
             seed=self._choices.seed,
         )
 
-    def score(self) -> Score:
+    def score(self) -> GameScore:
         """Return the score of a game that is over."""
         game = self.record()
         if math.isinf(game.survival_time):
-            return Score(None, None, 0.0)
+            return GameScore(None, None, 0.0)
         time = game.survival_time
         # Both are 0 where everybody begins within the pursuer's reach.
         share = self.optimal.survival_time / time if time > 0.0 else 1.0
-        return Score(time, time - game.guarantee, share)
+        return GameScore(time, time - game.guarantee, share)

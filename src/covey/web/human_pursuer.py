@@ -13,13 +13,13 @@ from covey.simulation import Fly, PursuerPolicy, Situation
 Point = tuple[float, float]
 
 
-class Person:
-    """Flies at full speed to the point, or in the direction, that was steered for last.
+class HumanPursuer:
+    """Flies at full speed to the point, or along the heading, of the last `steer`.
 
     Parameters
     ----------
     update_time
-        Between decisions: a point that is nearer than one flight is flown to, and not past.
+        Time between decisions. The pursuer slows down for a point that it would fly past.
     """
 
     def __init__(self, update_time: float) -> None:
@@ -28,15 +28,15 @@ class Person:
         self._heading: float | None = None
 
     def steer(self, target: Point | None, heading: float | None) -> None:
-        """Make for a point or, without one, fly a heading in radians; without either, wait."""
+        """Fly to `target` or, if None, along `heading`, radians; if both are None, wait."""
         self._target, self._heading = target, heading
 
     def describe(self) -> Mapping[str, Any]:
-        """Return the name that stands in the record."""
+        """Return the entry of the record."""
         return {"name": "person"}
 
     def place(self, disk: PursuerDisk) -> Floats:
-        """Return where it is at time 0, also where the team doesn't see it: the disk's centre."""
+        """Return the position at time 0, the disk's centre, also if the team doesn't see it."""
         return disk.center
 
     def start(self, seed: int) -> PursuerPolicy:  # noqa: ARG002 the protocol's signature

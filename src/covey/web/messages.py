@@ -1,4 +1,4 @@
-"""What a page may say, and how long it may be; anything else is answered with an error."""
+"""The messages of a page, and their limits. The server answers anything else with an error."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ class _Message(BaseModel):
 
 
 class New(_Message):
-    """Set up a game; it waits to be run."""
+    """Set up a game, which waits for `Run` or `Step`."""
 
     type: Literal["new"]
     choices: Choices
 
 
 class Steer(_Message):
-    """Make for a point, or fly a heading in radians; with neither, wait."""
+    """Fly to a point or along a heading, radians; with neither, wait."""
 
     type: Literal["steer"]
     target: tuple[_Coordinate, _Coordinate] | None = None
@@ -34,7 +34,7 @@ class Steer(_Message):
 
 
 class Run(_Message):
-    """Let time run, so many times as fast as the wall's."""
+    """Let time run, `pace` times as fast as real time."""
 
     type: Literal["run"]
     pace: Annotated[float, Field(ge=0.1, le=2.0)] = 1.0
@@ -47,20 +47,20 @@ class Pause(_Message):
 
 
 class Step(_Message):
-    """Play one update, and pause."""
+    """Play `session.STEP_UPDATES` updates, and pause."""
 
     type: Literal["step"]
 
 
 class Film(_Message):
-    """Send a whole game to be looked at."""
+    """Send a whole game, for the page to replay."""
 
     type: Literal["film"]
     game: Literal["yours", "optimal"]
 
 
 class Save(_Message):
-    """Send the record of a game, as a file."""
+    """Send the record of a whole game, as a file."""
 
     type: Literal["save"]
     game: Literal["yours", "optimal"]
@@ -72,7 +72,7 @@ _adapter: TypeAdapter[Message] = TypeAdapter(Annotated[Message, Field(discrimina
 
 
 def read_message(text: str) -> Message:
-    """Return the message, or raise InputError that says what is wrong with it."""
+    """Return the message, or raise InputError that says its mistakes."""
     if len(text) > MOST_CHARACTERS:
         raise InputError(f"message: expected at most {MOST_CHARACTERS} characters, got {len(text)}")
     try:
@@ -84,6 +84,6 @@ def read_message(text: str) -> Message:
 def _mistakes(error: ValidationError) -> list[str]:
     mistakes = []
     for detail in error.errors(include_url=False, include_input=False):
-        place = ".".join(str(key) for key in detail["loc"][1:]) or "message"
-        mistakes.append(f"{place}: {detail['msg']}")
+        key_path = ".".join(str(key) for key in detail["loc"][1:]) or "message"
+        mistakes.append(f"{key_path}: {detail['msg']}")
     return mistakes

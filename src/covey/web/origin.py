@@ -1,7 +1,7 @@
-"""Who may talk to the server: pages that came from it, under a name that is its own.
+"""Who may talk to the server: only its own pages, under one of its own names.
 
-Another site can make a browser connect to 127.0.0.1, and a name that it owns can be made to lead
-there. The first shows in the Origin header, the second in the Host header.
+Another site can make a browser connect to 127.0.0.1; the Origin header shows this. An attacker can
+point a domain of theirs at 127.0.0.1 (DNS rebinding); the Host header shows that.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ def is_own_host(host: str, served: str) -> bool:
         ipaddress.ip_address(name)
     except ValueError:
         return False
-    return True  # an address can't be made to lead elsewhere
+    return True  # an address can't be pointed elsewhere
 
 
 def is_own_origin(origin: str | None, host: str) -> bool:
-    """Return whether a page with this Origin header came from the host it now talks to."""
+    """Return whether a page with this Origin header came from `host`."""
     return origin in {f"http://{host}", f"https://{host}"}

@@ -1,20 +1,20 @@
-"""How much may come in: a budget that fills up with time."""
+"""A limit on how much may come in per second."""
 
 from __future__ import annotations
 
 
-class Budget:
-    """Allows a cost of `rate` a second in the mean, and of `most` at once."""
+class TokenBucket:
+    """Allows `rate` tokens a second on average, and `capacity` at once."""
 
-    def __init__(self, rate: float, most: float) -> None:
-        self._rate, self._most = rate, most
-        self._left, self._last = most, 0.0
+    def __init__(self, rate: float, capacity: float) -> None:
+        self._rate, self._capacity = rate, capacity
+        self._tokens, self._last = capacity, 0.0
 
-    def spend(self, now: float, cost: float = 1.0) -> bool:
-        """Return whether `cost` is within the budget at `now`, in seconds, and take it off."""
-        self._left = min(self._most, self._left + self._rate * (now - self._last))
+    def take(self, now: float, cost: float = 1.0) -> bool:
+        """Take `cost` tokens at `now`, seconds; return False, and take none, if there are fewer."""
+        self._tokens = min(self._capacity, self._tokens + self._rate * (now - self._last))
         self._last = now
-        if self._left < cost:
+        if self._tokens < cost:
             return False
-        self._left -= cost
+        self._tokens -= cost
         return True

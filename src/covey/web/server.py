@@ -18,7 +18,7 @@ from covey.web.session import Session
 from covey.web.upload import MOST_BYTES
 
 _GRACE = 1
-"""Seconds that open pages get to close when the server ends."""
+"""Seconds for open pages to close when the server ends."""
 
 
 def serve(host: str, port: int, *, open_browser: bool) -> None:
@@ -27,7 +27,7 @@ def serve(host: str, port: int, *, open_browser: bool) -> None:
     Raises
     ------
     InputError
-        If the address can't be listened on.
+        If the server can't listen on the address.
     """
     listener = listen(host, port)
     with listener:
@@ -35,16 +35,16 @@ def serve(host: str, port: int, *, open_browser: bool) -> None:
         address = page_address(host, listener.getsockname()[1])
         print(f"covey: the page is at {address}\nCtrl-C ends it.", flush=True)
         if open_browser:
-            # In a thread: a browser of the terminal's doesn't come back before it is closed.
+            # In a thread: a browser in the terminal returns only when it is closed.
             Thread(target=webbrowser.open, args=[address], daemon=True).start()
         server = uvicorn.Server(configuration(host))
-        with suppress(KeyboardInterrupt):  # what Ctrl-C is turned into where it isn't ignored
+        with suppress(KeyboardInterrupt):  # uvicorn raises Ctrl-C again once it has shut down
             server.run(sockets=[listener])
         print("covey: stopped", file=sys.stderr)
 
 
 def configuration(host: str) -> uvicorn.Config:
-    """Return how the page is served."""
+    """Return the configuration of the server."""
     return uvicorn.Config(
         make_app(host),
         log_level="warning",
@@ -60,8 +60,8 @@ def configuration(host: str) -> uvicorn.Config:
 def listen(host: str, port: int) -> socket.socket:
     """Return a socket that listens; port 0 takes any that is free."""
     try:
-        family, *_, place = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
-        return _bound(family, place)
+        family, *_, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+        return _bound(family, address)
     except OSError as error:
         raise InputError(
             f"can't listen on {host}, port {port}: {error.strerror}; "
@@ -69,12 +69,12 @@ def listen(host: str, port: int) -> socket.socket:
         ) from error
 
 
-def _bound(family: socket.AddressFamily, place: tuple[Any, ...]) -> socket.socket:
+def _bound(family: socket.AddressFamily, address: tuple[Any, ...]) -> socket.socket:
     listener = socket.socket(family, socket.SOCK_STREAM)
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        listener.bind(place)
-        listener.listen()  # who comes before the server is ready waits, and isn't refused
+        listener.bind(address)
+        listener.listen()  # connections before the server is ready wait, and aren't refused
     except OSError:
         listener.close()
         raise
@@ -88,7 +88,7 @@ def page_address(host: str, port: int) -> str:
 
 
 def warm_up() -> None:
-    """Load the kernels, and compile them where that has not been done, before anybody waits."""
+    """Load the kernels, or compile them, before the first page asks for a game."""
     session = Session()
     for sensing, team in (("visible", "iterative-open-loop"), ("hidden", "largest-distance")):
         choices = {"evaders": 2, "sensing": sensing, "team": team}

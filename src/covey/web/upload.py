@@ -1,4 +1,4 @@
-"""A record that somebody opens on the page: it may come from anywhere."""
+"""A record that a person opens on the page. It may come from anywhere, so it isn't trusted."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ from io import BytesIO
 
 from covey.model import InputError
 from covey.simulation.storage import read_game
-from covey.web.game_json import Json, film
+from covey.web.game_json import Json, replay
 
 MOST_BYTES = 16 * 2**20
 MOST_NUMBERS = 10**7
-"""In the table once it is unpacked: a small file can hide a huge one."""
+"""In the unpacked table: a small file can hold a huge table."""
 
 
-def opened_film(content: bytes) -> Json:
-    """Return the film of the game in a file, or raise InputError that says why there is none."""
+def read_upload(content: bytes) -> Json:
+    """Return the replay of the game in a file, or raise InputError that says why there is none."""
     for kind, most, size in (
         ("bytes", MOST_BYTES, len(content)),
         ("numbers", MOST_NUMBERS, _numbers(content)),
@@ -26,7 +26,7 @@ def opened_film(content: bytes) -> Json:
             )
     game = read_game(content, "record")
     try:
-        result = film(game)
+        result = replay(game)
         json.dumps([result, game.times[0]], allow_nan=False)  # no row, or a nan, is an error
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
         raise InputError(f"record: it contradicts itself: {error}") from error
@@ -34,7 +34,7 @@ def opened_film(content: bytes) -> Json:
 
 
 def _numbers(content: bytes) -> int:
-    """How many numbers the file says it has; 0 if it is no such file, which its reader will say."""
+    """Return the number of entries that a file declares; 0 if `read_game` will refuse the file."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 

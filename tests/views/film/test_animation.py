@@ -12,7 +12,7 @@ from PIL import Image, ImageSequence
 import covey
 from covey.views import animate
 from covey.views.film.animation import frame_times
-from covey.views.film.frames import Film
+from covey.views.film.frames import FrameRenderer
 from views.flown_games import SECOND_CAPTURE, game_by_hand, simulated
 
 
@@ -33,7 +33,7 @@ def test_a_gif_plays_as_long_as_it_should(tmp_path):
     # 1/15 s isn't a whole number of hundredths: single frames are rounded, their sum is not.
     assert set(durations[:-1]) <= {60, 70}
     assert sum(durations) == 1800
-    assert size == Film(game_by_hand()).frame(0.0).shape[1::-1]
+    assert size == FrameRenderer(game_by_hand()).frame(0.0).shape[1::-1]
     assert path.stat().st_size < 100_000
 
 
@@ -46,13 +46,13 @@ def test_frames_are_even_in_time_and_end_with_the_game():
 
 
 def test_the_camera_stands_still():
-    film = Film(simulated())
-    limits = film.axes.get_xlim(), film.axes.get_ylim()
+    renderer = FrameRenderer(simulated())
+    limits = renderer.axes.get_xlim(), renderer.axes.get_ylim()
     times = frame_times(simulated(), 1.0, 6.0)
-    frames = [film.frame(time) for time in times]
-    assert (film.axes.get_xlim(), film.axes.get_ylim()) == limits
+    frames = [renderer.frame(time) for time in times]
+    assert (renderer.axes.get_xlim(), renderer.axes.get_ylim()) == limits
     moving = np.any([frame != frames[0] for frame in frames[1:]], axis=(0, 3))
-    box = film.axes.get_window_extent()
+    box = renderer.axes.get_window_extent()
     height = moving.shape[0]
     rows, columns = np.nonzero(moving)
     # All that moves is within the map, or in the caption above it.
@@ -60,14 +60,14 @@ def test_the_camera_stands_still():
     assert rows.max() <= height - round(box.y0) + 1
     assert moving[round(height - box.y1) : round(height - box.y0)].sum() > 1000
     # A frame depends on its time alone.
-    assert (film.frame(times[2]) == frames[2]).all()
-    assert not film.axes.patches
+    assert (renderer.frame(times[2]) == frames[2]).all()
+    assert not renderer.axes.patches
 
 
 def test_the_caption_counts():
-    film = Film(game_by_hand())
-    film.frame(1.0)
-    caption = film.axes.get_title(loc="left")
+    renderer = FrameRenderer(game_by_hand())
+    renderer.frame(1.0)
+    caption = renderer.axes.get_title(loc="left")
     assert caption.split("     ") == [
         "t = 1.00",
         f"guaranteed until {SECOND_CAPTURE:.2f}",

@@ -10,7 +10,7 @@ import pytest
 import covey
 from covey.views import draw_snapshots
 from covey.views.games.flight import subteam
-from covey.views.games.snapshot import moment_at
+from covey.views.games.snapshot import snapshot_at
 from views.drawn_artists import bearing_of_marker, disks, line, points
 from views.flown_games import FIRST_CAPTURE, SECOND_CAPTURE, game_by_hand, simulated, turning_evader
 
@@ -53,18 +53,21 @@ def test_predicted_captures_by_hand():
 def test_predicted_captures_keep_the_times_of_algorithm_1(sensing, capture_radius):
     game = simulated(sensing, capture_radius=capture_radius)
     for share in (0.0, 0.1, 0.4, 0.7):
-        moment = moment_at(game, share * game.survival_time)
-        living = moment.sequence
-        assert sorted(living) == np.flatnonzero(moment.alive).tolist()
+        snapshot = snapshot_at(game, share * game.survival_time)
+        living = snapshot.sequence
+        assert sorted(living) == np.flatnonzero(snapshot.alive).tolist()
         times = covey.capture_times(
-            subteam(moment.team, living), moment.disk, moment.turns[living], range(len(living))
+            subteam(snapshot.team, living),
+            snapshot.disk,
+            snapshot.turns[living],
+            range(len(living)),
         )
-        assert moment.time + times[-1] == pytest.approx(moment.guaranteed, rel=1e-9)
-        (panel,) = draw_snapshots(game, [moment.time]).axes
+        assert snapshot.time + times[-1] == pytest.approx(snapshot.guaranteed, rel=1e-9)
+        (panel,) = draw_snapshots(game, [snapshot.time]).axes
         captures = points(panel, "predicted captures")
         reach = np.full(len(times), 2.0 * capture_radius)
-        reach[0] = moment.disk.radius + capture_radius
-        flights = np.diff(np.vstack([moment.disk.center, captures]), axis=0)
+        reach[0] = snapshot.disk.radius + capture_radius
+        flights = np.diff(np.vstack([snapshot.disk.center, captures]), axis=0)
         flown = np.hypot(*flights.T) - reach
         # Whoever is in reach already is captured at once, and nothing is flown.
         assert np.maximum(flown, 0.0) == pytest.approx(
@@ -82,8 +85,8 @@ def test_the_pursuer_points_where_it_flies():
 def test_trajectories_are_those_flown_until_then():
     (panel,) = draw_snapshots(game_by_hand(), [1.5]).axes
     flown = points(panel, "flown by evaders")
-    for place in (turning_evader(1.5), turning_evader(0.0), [0.6, 0.0], [0.8, 0.0]):
-        assert np.hypot(*(flown - place).T).min() < 1e-12
+    for position in (turning_evader(1.5), turning_evader(0.0), [0.6, 0.0], [0.8, 0.0]):
+        assert np.hypot(*(flown - position).T).min() < 1e-12
     assert flown[:, 1].max() == pytest.approx(turning_evader(1.5)[1])
 
 

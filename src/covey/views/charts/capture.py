@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Floats
 from covey.planning import capture_times
-from covey.views.charts.single_turn import Turning, one_turning, put_arrow
+from covey.views.charts.single_turn import SingleTurn, draw_arrow, single_turn
 from covey.views.kit import style
 from covey.views.kit.layout import camera_around, single_map
 from covey.views.kit.markers import (
@@ -21,11 +21,11 @@ from covey.views.kit.markers import (
     FLOWN,
     PLANNED,
     PREDICTED,
-    put,
-    put_disk,
+    draw,
+    draw_disk,
 )
 from covey.views.kit.point_labels import footprint, label
-from covey.views.kit.sampling import dense, joined
+from covey.views.kit.sampling import joined, sampled
 from covey.views.kit.style import styled
 
 _PAPER_LIKE = Team([[1.1, 0.25]], [-0.6], speeds=0.6)
@@ -47,15 +47,15 @@ def draw_capture(
 ) -> Figure:
     """Draw the minimum capture time of a path by a pursuer in a disk (eq. 7; Fig. 2 of the paper).
 
-    The disk D(x_c, r) is shown as it is at first, as it is when the evader's turn ends, and when it
-    reaches the evader: that is the earliest capture, at t*.
+    The disk D(x_c, r) is shown at three times: at 0, at the end of the evader's turn, and when the
+    disk reaches the evader. The last is the earliest capture, at t*.
 
     Parameters
     ----------
     team, evader
-        The evader; by default one that makes a clear figure.
+        The evader; by default an example like the paper's.
     disk
-        The pursuer's disk. With a capture radius ρ, r + ρ takes the place of r.
+        The pursuer's disk. With a capture radius ρ, r + ρ replaces r.
     turn
         Signed turn δ, radians.
 
@@ -67,20 +67,20 @@ def draw_capture(
     Raises
     ------
     InputError
-        If the evader makes no turn, or is as fast as the pursuer.
+        If the evader makes no turn, or isn't slower than the pursuer.
     """
-    turning = one_turning(
+    motion = single_turn(
         _PAPER_LIKE if team is None else team, _PAPER_LIKE_TURN if turn is None else turn, evader
     )
     disk = _PAPER_LIKE_DISK if disk is None else disk
-    capture = float(capture_times(turning.team, disk, [turning.turn], [0])[0])
-    line = turning.path(max(capture, turning.turn_end))
+    capture = float(capture_times(motion.team, disk, [motion.turn], [0])[0])
+    line = motion.path(max(capture, motion.turn_end))
     corners = disk.center + _reach(disk, 0.0) * np.array([[-1.0, -1.0], [1.0, 1.0]])
     camera = camera_around(joined([line, corners]), margin=0.12)
     figure, axes = single_map(camera, ticks=False)
-    edges = _put_disks(axes, disk, turning, capture)
-    _put_path(axes, turning, capture)
-    marked = np.array([turning.at(t) for t in (0.0, turning.turn_end, capture)])
+    edges = _draw_disks(axes, disk, motion, capture)
+    _draw_path(axes, motion, capture)
+    marked = np.array([motion.at(t) for t in (0.0, motion.turn_end, capture)])
     label(
         axes,
         np.vstack([marked, disk.center]),
@@ -95,44 +95,48 @@ def _reach(disk: PursuerDisk, time: float) -> float:
     return disk.radius + disk.capture_radius + disk.speed * time
 
 
-def _put_disks(axes: Axes, disk: PursuerDisk, turning: Turning, capture: float) -> list[Floats]:
-    """The disk at three times, the largest at the back, and a radius of each.
+def _draw_disks(axes: Axes, disk: PursuerDisk, motion: SingleTurn, capture: float) -> list[Floats]:
+    """Draw the disk at three times, the largest at the back, and a radius of each.
 
     Returns points that no label should hide.
     """
     base = "r" if disk.capture_radius == 0.0 else r"r + \rho"
-    bearing, side = _bearing_and_free_side(disk.center, turning, capture)
+    bearing, side = _bearing_and_free_side(disk.center, motion, capture)
     disks = [
         (0.0, f"${base}$", "#c4c4c4", "solid", bearing + math.pi),
-        (turning.turn_end, f"${base} + v_p t_c$", "#dcdcdc", "dashed", bearing + side * _APART),
+        (motion.turn_end, f"${base} + v_p t_c$", "#dcdcdc", "dashed", bearing + side * _APART),
         (capture, f"${base} + v_p t^*$", "#f0f0f0", "dashdot", bearing),
     ]
     for time, _, grey, dashes, _ in sorted(disks, reverse=True):
         look = {"facecolor": grey, "edgecolor": style.INK, "linestyle": dashes}
-        put_disk(axes, disk.center, _reach(disk, time), **look)
-    put(axes, CENTER, disk.center)
+        draw_disk(axes, disk.center, _reach(disk, time), **look)
+    draw(axes, CENTER, disk.center)
     edges: list[Floats] = []
     for time, text, _, _, angle in disks:
         radius = _reach(disk, time)
-        edges += _put_radius(axes, disk.center, radius, angle, text)
+        edges += _draw_radius(axes, disk.center, radius, angle, text)
         edges.append(disk.center + radius * _UNIT_CIRCLE)
     return edges
 
 
-def _bearing_and_free_side(center: Floats, turning: Turning, capture: float) -> tuple[float, float]:
-    """Direction of the capture from the center, and the side of it (+1: left) without the path."""
-    x, y = (turning.at(capture) - center).tolist()
-    start_x, start_y = (turning.at(0.0) - center).tolist()
+def _bearing_and_free_side(
+    center: Floats, motion: SingleTurn, capture: float
+) -> tuple[float, float]:
+    """Bearing of the capture from the center, and the side of this line (+1: left) off the path."""
+    x, y = (motion.at(capture) - center).tolist()
+    start_x, start_y = (motion.at(0.0) - center).tolist()
     return math.atan2(y, x), -math.copysign(1.0, x * start_y - y * start_x)
 
 
-def _put_radius(axes: Axes, center: Floats, radius: float, angle: float, text: str) -> list[Floats]:
-    """A line from the center to the rim, with a text along it that stands upright.
+def _draw_radius(
+    axes: Axes, center: Floats, radius: float, angle: float, text: str
+) -> list[Floats]:
+    """Draw a line from the center to the rim, with an upright text along it.
 
     Returns points that no label should hide.
     """
     rim = center + radius * np.array([math.cos(angle), math.sin(angle)])
-    line = dense(np.array([center, rim]))
+    line = sampled(np.array([center, rim]))
     axes.plot(*line.T, color=style.INK, linewidth=style.THIN_LINE, gid="radius")
     upright = (math.degrees(angle) + 90.0) % 180.0 - 90.0
     left = math.radians(upright + 90.0)
@@ -149,13 +153,13 @@ def _put_radius(axes: Axes, center: Floats, radius: float, angle: float, text: s
     return [line, footprint(axes, note)]
 
 
-def _put_path(axes: Axes, turning: Turning, capture: float) -> None:
-    """The path to the capture; broken, what the evader doesn't come to fly of its turn."""
-    put(axes, FLOWN, turning.path(capture))
-    if capture < turning.turn_end:
-        put(axes, PLANNED, turning.path(turning.turn_end))
-    put(axes, EVADERS, turning.at(0.0))
-    put(axes, DOTS, turning.at(turning.turn_end))
-    put(axes, PREDICTED, turning.at(capture))
+def _draw_path(axes: Axes, motion: SingleTurn, capture: float) -> None:
+    """Draw the path to the capture; a broken line is the rest of a turn that is cut short."""
+    draw(axes, FLOWN, motion.path(capture))
+    if capture < motion.turn_end:
+        draw(axes, PLANNED, motion.path(motion.turn_end))
+    draw(axes, EVADERS, motion.at(0.0))
+    draw(axes, DOTS, motion.at(motion.turn_end))
+    draw(axes, PREDICTED, motion.at(capture))
     arrow = 0.12 * float(np.ptp(axes.get_xlim()))
-    put_arrow(axes, turning.at(0.0), turning.heading, arrow)
+    draw_arrow(axes, motion.at(0.0), motion.heading, arrow)

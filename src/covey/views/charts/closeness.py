@@ -1,4 +1,4 @@
-"""How close strategies come to the true value, by the speeds of two evaders."""
+"""Chart: how close strategies come to the value of the game, by the speeds of two evaders."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from covey.views.kit import style
-from covey.views.kit.layout import add_axes, new_figure
+from covey.views.kit.layout import panels_in_a_row
 from covey.views.kit.style import styled
 
 _SIDE = 2.0
@@ -21,7 +21,7 @@ _SPREAD = 0.6
 
 
 class Closeness(NamedTuple):
-    """Survival time over the value of the game: the mean over starts, and the least."""
+    """Survival time over the value of the game: its mean and its least over all starts."""
 
     mean: float
     least: float
@@ -29,7 +29,7 @@ class Closeness(NamedTuple):
 
 @styled
 def draw_closeness(panels: Mapping[str, Mapping[str, Mapping[str, Closeness]]]) -> Figure:
-    """Draw survival over the true value: a mark at the mean, a line down to the least.
+    """Draw survival time over the value: a mark at the mean, a line down to the least.
 
     Parameters
     ----------
@@ -41,37 +41,31 @@ def draw_closeness(panels: Mapping[str, Mapping[str, Mapping[str, Closeness]]]) 
     matplotlib.figure.Figure
         Panels side by side on one scale, two columns of a paper wide if there are two.
     """
-    left, bottom, gap = 0.5, 0.4, 0.18
-    width = (2.0 * style.COLUMN_WIDTH - left - 0.28 - gap) / 2.0
-    figure = new_figure(left + len(panels) * (width + gap) + 0.1, bottom + _SIDE + _HEADROOM)
     least = min(
         each.least
         for strategies in panels.values()
         for row in strategies.values()
         for each in row.values()
     )
-    for k, (title, strategies) in enumerate(panels.items()):
-        axes = add_axes(figure, left + k * (width + gap), bottom, width, _SIDE)
+    figure, all_axes = panels_in_a_row(panels, _SIDE, _HEADROOM)
+    for axes, strategies in zip(all_axes, panels.values(), strict=True):
         _draw_panel(axes, strategies)
         axes.set_ylim(1.0 - 1.15 * (1.0 - least), 1.0 + 0.08 * (1.0 - least))
-        axes.set_title(f"({'abcdef'[k]})  {title}", loc="left", pad=3)
-        if k == 0:
-            figure.legend(loc="upper center", ncols=4)
-            axes.set_ylabel("survival time over the value")
-        else:
-            axes.tick_params(labelleft=False)
+    first = all_axes[0]
+    first.set_ylabel("survival time over the value")
+    figure.legend(*first.get_legend_handles_labels(), loc="upper center", ncols=4)
     return figure
 
 
 def _draw_panel(axes: Axes, strategies: Mapping[str, Mapping[str, Closeness]]) -> None:
     offsets = _SPREAD * ((np.arange(len(strategies)) + 0.5) / len(strategies) - 0.5)
     for k, (name, row) in enumerate(strategies.items()):
-        places = np.arange(len(row)) + offsets[k]
+        x = np.arange(len(row)) + offsets[k]
         means, least = np.array(list(row.values())).T
         color = _COLORS[k % len(_COLORS)]
-        axes.vlines(places, least, means, color=color, linewidth=style.THIN_LINE)
+        axes.vlines(x, least, means, color=color, linewidth=style.THIN_LINE)
         axes.plot(
-            places,
+            x,
             means,
             color=color,
             linestyle="none",
@@ -82,6 +76,6 @@ def _draw_panel(axes: Axes, strategies: Mapping[str, Mapping[str, Closeness]]) -
             gid=name,
         )
         axes.set_xticks(range(len(row)), list(row))
-    axes.axhline(1.0, color=style.FAINT, linewidth=style.THIN_LINE, linestyle=style.PURSUER_DOTS)
+    axes.axhline(1.0, **style.GUIDE)
     axes.set_xlabel("speeds of the two, relative to the pursuer's", labelpad=2)
     axes.spines[["top", "right"]].set_visible(False)

@@ -1,4 +1,4 @@
-"""Ratios of means with their uncertainty: strips for what is compared, in rows of panels."""
+"""Chart: ratios of means with confidence intervals, one strip for each strategy or objective."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ _STRIP = 0.27
 """Height of a strip, inches."""
 
 _LETTER = 0.058
-"""Width of a letter, about, inches."""
+"""Approximate width of a letter, inches."""
 
 
 class Ratio(NamedTuple):
-    """A ratio of means, and where in the picture it stands."""
+    """A ratio of means, and its position in the picture."""
 
     row: str  # of panels, from the top
     column: str
@@ -36,14 +36,14 @@ class Ratio(NamedTuple):
 
 @styled
 def draw_comparison(ratios: Sequence[Ratio], label: str) -> Figure:
-    """Draw how teams, or objectives, compare with one of them.
+    """Draw how teams, or objectives, compare with a reference among them.
 
     Parameters
     ----------
     ratios
-        In the order in which rows, columns, strips and sizes shall appear.
+        In the order of rows, columns, strips and sizes in the picture.
     label
-        Of the axis: what the ratios are.
+        Label of the axis: what the ratios are.
 
     Returns
     -------
@@ -107,23 +107,18 @@ def _draw_panel(
     for k, size in enumerate(sizes):
         chosen = [ratio for ratio in ratios if ratio.size == size]
         offset = (k + 0.5) / len(sizes) - 0.5
-        color = style.TEAM_SHADES[k % len(style.TEAM_SHADES)]
         axes.errorbar(
             [ratio.value for ratio in chosen],
             [strips.index(ratio.strip) + 0.8 * offset for ratio in chosen],
             xerr=[ratio.error for ratio in chosen],
-            color=color,
-            marker=style.TEAM_MARKS[k % len(style.TEAM_MARKS)],
             markersize=0.5 * style.EVADER_SIZE,
-            markeredgewidth=0.0,
             linestyle="none",
-            elinewidth=1.3 * style.THIN_LINE,
-            label=f"$N = {size}$",
             gid=f"teams of {size}",
+            **style.team_size_series(k, size),
         )
     for boundary in range(len(strips) - 1):
         axes.axhline(boundary + 0.5, color=style.DISK, linewidth=0.5 * style.THIN_LINE)
-    axes.axvline(1.0, color=style.FAINT, linewidth=style.THIN_LINE, linestyle=style.PURSUER_DOTS)
+    axes.axvline(1.0, **style.GUIDE)
     axes.set_ylim(len(strips) - 0.5, -0.5)
     axes.set_yticks([])
     axes.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10], prune="both"))

@@ -1,4 +1,4 @@
-"""Survival over the turning rate, a curve for each team size (Fig. 5 of the paper)."""
+"""Chart: mean survival time over the turning rate, by team size (Fig. 5 of the paper)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from covey.model import InputError
 from covey.views.kit import style
-from covey.views.kit.layout import add_axes, new_figure
+from covey.views.kit.layout import panels_in_a_row
 from covey.views.kit.style import styled
 
 _SIDE = 2.0
@@ -20,7 +20,7 @@ _HEADROOM = 0.22
 
 
 class Curve(NamedTuple):
-    """Ratios (K,) of means at K turning rates, and the half widths (K,) of their intervals."""
+    """Ratios (K,) of means at K turning rates, and half widths (K,) of confidence intervals."""
 
     ratios: Sequence[float]
     errors: Sequence[float]
@@ -33,7 +33,7 @@ def draw_gains(turn_rates: Sequence[float], panels: Mapping[str, Mapping[int, Cu
     Parameters
     ----------
     turn_rates
-        (K,), radians per time, growing.
+        (K,) in ascending order, radians per time.
     panels
         For each panel, by its title, the curve of each team size.
 
@@ -45,7 +45,7 @@ def draw_gains(turn_rates: Sequence[float], panels: Mapping[str, Mapping[int, Cu
     Raises
     ------
     InputError
-        If a curve has not a ratio for every turning rate.
+        If a curve lacks a ratio or an error for a turning rate.
     """
     for curves in panels.values():
         for size, curve in curves.items():
@@ -53,21 +53,15 @@ def draw_gains(turn_rates: Sequence[float], panels: Mapping[str, Mapping[int, Cu
                 raise InputError(
                     f"panels: expected {len(turn_rates)} ratios and errors for {size} evaders"
                 )
-    left, bottom, gap = 0.5, 0.4, 0.18
-    width = (2.0 * style.COLUMN_WIDTH - left - 0.28 - gap) / 2.0
-    figure = new_figure(left + len(panels) * (width + gap) + 0.1, bottom + _SIDE + _HEADROOM)
     top = _top(panels)
-    for k, (title, curves) in enumerate(panels.items()):
-        axes = add_axes(figure, left + k * (width + gap), bottom, width, _SIDE)
+    figure, all_axes = panels_in_a_row(panels, _SIDE, _HEADROOM)
+    for axes, curves in zip(all_axes, panels.values(), strict=True):
         _draw_panel(axes, turn_rates, curves)
         axes.set_ylim(2.0 - top if top < 1.02 else 0.99, top)
-        axes.set_title(f"({'abcdef'[k]})  {title}", loc="left", pad=3)
-        if k == 0:
-            handles, labels = axes.get_legend_handles_labels()
-            axes.legend(handles[::-1], labels[::-1], loc="upper left")  # as the curves lie
-            axes.set_ylabel(f"mean survival time, relative to {_rate_text(turn_rates[0])}")
-        else:
-            axes.tick_params(labelleft=False)
+    first = all_axes[0]
+    handles, labels = first.get_legend_handles_labels()
+    first.legend(handles[::-1], labels[::-1], loc="upper left")  # in the order of the curves
+    first.set_ylabel(f"mean survival time, relative to {_rate_text(turn_rates[0])}")
     return figure
 
 
@@ -82,23 +76,18 @@ def _top(panels: Mapping[str, Mapping[int, Curve]]) -> float:
 
 def _draw_panel(axes: Axes, turn_rates: Sequence[float], curves: Mapping[int, Curve]) -> None:
     for k, (size, curve) in enumerate(curves.items()):
-        color = style.TEAM_SHADES[k % len(style.TEAM_SHADES)]
         axes.errorbar(
             turn_rates,
             curve.ratios,
             yerr=curve.errors,
-            color=color,
-            marker=style.TEAM_MARKS[k % len(style.TEAM_MARKS)],
             markersize=0.8 * style.EVADER_SIZE,
-            markeredgewidth=0.0,
             linewidth=style.EVADER_LINE,
-            elinewidth=1.3 * style.THIN_LINE,
             capsize=2.0,
             capthick=1.3 * style.THIN_LINE,
-            label=f"$N = {size}$",
             gid=f"team of {size}",
+            **style.team_size_series(k, size),
         )
-    axes.axhline(1.0, color=style.FAINT, linewidth=style.THIN_LINE, linestyle=style.PURSUER_DOTS)
+    axes.axhline(1.0, **style.GUIDE)
     axes.set_xticks(turn_rates, [_rate_text(rate) for rate in turn_rates])
     axes.set_xlim(left=0.0)
     axes.set_xlabel(r"maximum turning rate $\omega$ (rad/s)", labelpad=2)

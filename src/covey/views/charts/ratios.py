@@ -1,4 +1,4 @@
-"""How ratios are distributed, a panel for each team size (Fig. 4 of the paper)."""
+"""Chart: histograms of ratios, a panel for each team size (Fig. 4 of the paper)."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def draw_ratios(ratios: Mapping[int, npt.ArrayLike], *, panels: str = "ab") -> F
     Returns
     -------
     matplotlib.figure.Figure
-        One column of a paper wide. Bins are 0.01 wide, and one of them is centred at 1.
+        One column of a paper wide. Bins are 0.01 wide; 1 is the middle of a bin.
 
     Raises
     ------
@@ -61,7 +61,7 @@ def draw_ratios(ratios: Mapping[int, npt.ArrayLike], *, panels: str = "ab") -> F
 
 
 def _edges(values: Floats) -> Floats:
-    """Edges of bins around all values, with 1 in the middle of a bin."""
+    """Edges of bins that hold all values; 1 is the middle of a bin."""
     low = math.floor((min(values.min(), 0.9) - 1.0) / _BIN + 0.5)
     high = math.ceil((max(values.max(), 1.0) - 1.0) / _BIN - 0.5)
     return 1.0 + _BIN * (np.arange(low, high + 2) - 0.5)
@@ -80,7 +80,7 @@ def _draw_panel(axes: Axes, values: Floats, edges: Floats) -> None:
             linewidth=0.0,
             gid="bars" if color == style.EVADER else "bar at one",
         )
-    axes.axvline(0.9, color=style.FAINT, linewidth=style.THIN_LINE, linestyle=style.PURSUER_DOTS)
+    axes.axvline(0.9, **style.GUIDE)
     one = int(counts[at_one][0])
     axes.annotate(
         f"$1 \\pm 0.005$: {one}",

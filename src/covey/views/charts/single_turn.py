@@ -1,4 +1,4 @@
-"""What the first two figures share: one evader that makes one turn, and arrows along its path."""
+"""What Figs. 1 and 2 share: one evader that makes one turn, arrows and angles."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from covey.views.games.flight import path, subteam
 from covey.views.kit import style
 
 _WIDE = 0.5
-"""Radians: an angle with room for its name."""
+"""Radians: a wider angle has room for its name."""
 
 
 @dataclass(frozen=True, eq=False)
-class Turning:
-    """One evader, the signed turn that it makes, and the time t_c at which the turn ends."""
+class SingleTurn:
+    """One evader, its signed turn, and the time t_c at which the turn ends."""
 
     team: Team
     turn: float
@@ -44,7 +44,7 @@ class Turning:
 
     @property
     def center(self) -> Floats:
-        """Center of the circle on which it turns, (2,)."""
+        """Center of the turning circle, (2,)."""
         radius = self.speed / float(self.team.turn_rates[0])
         left = self.heading + math.copysign(0.5 * math.pi, self.turn)
         place: Floats = self.team.positions[0] + radius * towards(left)
@@ -55,13 +55,13 @@ class Turning:
         return path(self.team, np.array([self.turn]), 0, until)
 
     def at(self, time: float) -> Floats:
-        """Where it is, (2,)."""
-        place: Floats = self.path(time)[-1]
-        return place
+        """Position (2,) at a time."""
+        position: Floats = self.path(time)[-1]
+        return position
 
 
-def one_turning(team: Team, turn: float, evader: int) -> Turning:
-    """The evader of the figure, or an InputError if it doesn't turn."""
+def single_turn(team: Team, turn: float, evader: int) -> SingleTurn:
+    """Return the turn of one evader, or raise InputError if the evader doesn't turn."""
     if whole_number("evader", evader, low=0) >= len(team):
         raise InputError(f"evader: expected one of 0..{len(team) - 1}, got {evader}")
     alone = subteam(team, np.array([evader]))
@@ -72,7 +72,7 @@ def one_turning(team: Team, turn: float, evader: int) -> Turning:
             f"evader {evader}: expected one that turns while it flies, for the figure is about "
             f"that; got speed {speed:g}, turn rate {rate:g}, turn {delta:g}"
         )
-    return Turning(alone, delta, abs(delta) / rate)
+    return SingleTurn(alone, delta, abs(delta) / rate)
 
 
 def towards(angle: float) -> Floats:
@@ -80,8 +80,8 @@ def towards(angle: float) -> Floats:
     return np.array([math.cos(angle), math.sin(angle)])
 
 
-def put_arrow(axes: Axes, start: Floats, heading: float, length: float) -> FancyArrowPatch:
-    """Put an arrow on a map."""
+def draw_arrow(axes: Axes, start: Floats, heading: float, length: float) -> FancyArrowPatch:
+    """Draw an arrow on a map."""
     tip = start + length * towards(heading)
     arrow = FancyArrowPatch(
         tuple(start),
@@ -98,8 +98,8 @@ def put_arrow(axes: Axes, start: Floats, heading: float, length: float) -> Fancy
     return arrow
 
 
-def put_angle(axes: Axes, corner: Floats, heading: float, radius: float, text: str) -> Text:
-    """Mark the angle from +x to `heading` on a map, with a text beside its arc; return the text."""
+def draw_angle(axes: Axes, corner: Floats, heading: float, radius: float, text: str) -> Text:
+    """Draw the angle from +x to `heading` as an arc with a text beside it; return the text."""
     x, y = corner.tolist()
     low, high = sorted((0.0, math.degrees(heading)))
     axes.plot([x, x + 1.5 * radius], [y, y], color=style.FAINT, linewidth=style.THIN_LINE)
@@ -114,7 +114,7 @@ def put_angle(axes: Axes, corner: Floats, heading: float, radius: float, text: s
             color=style.INK,
         )
     )
-    # A narrow angle has no room for its text: it goes to the other side of the line.
+    # A narrow angle has no room for its text, which goes to the other side of the line.
     wide = abs(heading) > _WIDE
     middle = 0.5 * heading if wide else math.copysign(_WIDE, -heading)
     away = 1.6 * radius

@@ -1,4 +1,4 @@
-"""Frames to a GIF file, with one palette for all, so that no colour flickers."""
+"""Write frames to a GIF file. All frames share one palette, so no colour flickers."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def save_gif(
     fps: float,
     hold: float,
 ) -> None:
-    """Write `count` frames as a film that starts anew after `hold` seconds at its end.
+    """Write `count` frames as a film that stays at its end for `hold` seconds, then repeats.
 
     The palette is made for `samples`, some of the frames.
     """
@@ -45,7 +45,7 @@ def save_gif(
 
 
 def _durations(count: int, fps: float, hold: float) -> list[int]:
-    """Milliseconds a frame: a GIF counts in hundredths of a second, so the times are rounded."""
+    """Milliseconds for each frame, rounded: a GIF counts in hundredths of a second."""
     ends = np.arange(count + 1) / fps
     ends[-1] += hold
     steps: list[int] = (10 * np.diff(np.rint(100.0 * ends)).astype(int)).tolist()

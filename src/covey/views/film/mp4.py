@@ -1,4 +1,4 @@
-"""Frames to an MP4 file, through the ffmpeg that the extra `video` brings."""
+"""Write frames to an MP4 file, with the ffmpeg of the extra `video`."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from covey.views.film.frames import Frame
 
 
 def require_video() -> Any:
-    """Return the module that runs ffmpeg, or raise InputError with how to install it."""
+    """Return the module that runs ffmpeg, or raise InputError that says how to install it."""
     try:
         return import_module("imageio_ffmpeg")
     except ImportError:
@@ -28,7 +28,7 @@ def require_video() -> Any:
 def save_mp4(path: Path, frames: Iterator[Frame], fps: float, hold: float) -> None:
     """Write frames as a film whose last frame stays for `hold` seconds.
 
-    ffmpeg writes to a path of its own, so that no half of a film is left behind.
+    ffmpeg writes to a temporary file first, so `path` never holds half a film.
     """
     video = require_video()
     with tempfile.TemporaryDirectory() as folder:
@@ -48,7 +48,7 @@ def _encode(video: Any, path: Path, frames: Iterator[Frame], fps: float) -> None
         codec="libx264",
         quality=8,
         macro_block_size=2,
-        output_params=["-movflags", "+faststart"],  # plays in a page before it is all there
+        output_params=["-movflags", "+faststart"],  # a browser plays it before it is all loaded
     )
     writer.send(None)
     try:
@@ -60,9 +60,7 @@ def _encode(video: Any, path: Path, frames: Iterator[Frame], fps: float) -> None
 
 
 def _held(frames: Iterator[Frame], more: int) -> Iterator[Frame]:
-    """The frames, the last of them as often again as `more` says."""
-    frame = next(frames)
-    yield frame
+    """The frames, then the last frame `more` times again."""
     for frame in frames:
         yield frame
     yield from repeat(frame, more)

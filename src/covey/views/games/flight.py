@@ -1,4 +1,4 @@
-"""Where a plan takes the evaders: the paths of the kernels, sampled for drawing."""
+"""Where a plan takes the evaders: paths of the kernels, sampled for drawing."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from covey.model import Team
 from covey.model.validation import Floats, Ints
 
 _SAMPLES = 80
-"""Points of a drawn path; the eye sees no corners in an arc of a full turn."""
+"""Points of a drawn path: enough that a full turn shows no corners."""
 
 
-def places(team: Team, turns: Floats, times: Floats) -> Floats:
-    """Positions (K, N, 2) of the team that turns by `turns` (N,), `times` (K,) from now."""
+def positions_at(team: Team, turns: Floats, times: Floats) -> Floats:
+    """Positions (K, N, 2) of a team that makes `turns` (N,), at `times` (K,) from now."""
     paths = np.empty((len(team), PATH))
-    any_speed = 1.0  # of the pursuer: it has no part in where the evaders fly
+    any_speed = 1.0  # of the pursuer: the evaders' positions don't depend on it
     set_paths(team.as_rows(), turns, any_speed, paths)
     sampled = np.empty((len(times), len(team), 2))
     sample(paths, times, sampled)
@@ -25,14 +25,14 @@ def places(team: Team, turns: Floats, times: Floats) -> Floats:
 def path(team: Team, turns: Floats, evader: int, end: float) -> Floats:
     """Points (K, 2) along the path of one evader, from now to the time `end`."""
     alone = np.array([evader])
-    return places(subteam(team, alone), turns[alone], np.linspace(0.0, end, _SAMPLES))[:, 0]
+    return positions_at(subteam(team, alone), turns[alone], np.linspace(0.0, end, _SAMPLES))[:, 0]
 
 
-def after(team: Team, turns: Floats, elapsed: float) -> tuple[Team, Floats]:
-    """The team after it has flown its plan for a time, and the turns that are left to make."""
-    with np.errstate(invalid="ignore"):  # inf * 0: who turns at once has turned at time 0
+def advance(team: Team, turns: Floats, elapsed: float) -> tuple[Team, Floats]:
+    """The team after it has flown its plan for `elapsed`, and the turns (N,) that remain."""
+    with np.errstate(invalid="ignore"):  # inf * 0: an unlimited turn is made at time 0
         turned = np.copysign(np.fmin(np.abs(turns), team.turn_rates * elapsed), turns)
-    positions = places(team, turns, np.array([elapsed]))[0]
+    positions = positions_at(team, turns, np.array([elapsed]))[0]
     return Team(positions, team.headings + turned, team.speeds, team.turn_rates), turns - turned
 
 

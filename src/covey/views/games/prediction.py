@@ -10,7 +10,7 @@ from covey.model import PursuerDisk, Team
 from covey.model.validation import Floats, Ints
 from covey.planning import capture_times
 from covey.views.games.flight import path, subteam
-from covey.views.games.snapshot import Moment
+from covey.views.games.snapshot import Snapshot
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,9 +49,9 @@ def predict(team: Team, disk: PursuerDisk, turns: Floats, sequence: Ints) -> Pre
     return Prediction(sequence, times, points, paths, _pursuer_path(disk, points))
 
 
-def predicted(moment: Moment) -> Prediction:
-    """What the plan that is flown at a moment of a game must expect."""
-    return predict(moment.team, moment.disk, moment.turns, moment.sequence)
+def predicted(snapshot: Snapshot) -> Prediction:
+    """What the plan that is flown at a snapshot of a game must expect."""
+    return predict(snapshot.team, snapshot.disk, snapshot.turns, snapshot.sequence)
 
 
 def _pursuer_path(disk: PursuerDisk, points: Floats) -> Floats:

@@ -1,4 +1,4 @@
-"""One moment of a game on a map: what the snapshots and the animation both show."""
+"""A snapshot of a game on a map, for `draw_snapshots` and for films."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from covey.model.validation import Floats
 from covey.views.games.prediction import predicted
-from covey.views.games.snapshot import Moment, Trajectories, until
+from covey.views.games.snapshot import Snapshot, Trajectories, until
 from covey.views.kit.markers import (
     CAPTURED,
     CENTER,
@@ -19,55 +19,52 @@ from covey.views.kit.markers import (
     PREDICTED,
     PURSUER_FLOWN,
     PURSUER_PREDICTED,
-    disk_key,
-    key,
+    disk_handle,
+    draw,
+    draw_disk,
+    legend_handle,
     pursuer_flying,
-    put,
-    put_disk,
 )
 from covey.views.kit.sampling import joined
 
 
-def draw_moment(
-    axes: Axes, moment: Moment, flown: Trajectories, scale: float = 1.0
+def draw_scene(
+    axes: Axes, snapshot: Snapshot, flown: Trajectories, scale: float = 1.0
 ) -> list[Artist]:
-    """Put a moment of a game on a map, and return all that was put there.
-
-    `scale` is the size of the marks.
-    """
-    past, future = until(flown, moment), predicted(moment)
-    positions, alive = moment.team.positions, moment.alive
+    """Draw a snapshot, and return the artists; `scale` multiplies the size of the markers."""
+    past, future = until(flown, snapshot), predicted(snapshot)
+    positions, alive = snapshot.team.positions, snapshot.alive
     return [
-        put_disk(axes, moment.disk.center, moment.disk.radius),
-        put(axes, PURSUER_PREDICTED, future.pursuer),
-        put(axes, PLANNED, *future.paths),
-        put(axes, PURSUER_FLOWN, past.pursuer),
-        put(axes, FLOWN, *np.swapaxes(past.evaders, 0, 1)),
-        put(axes, PREDICTED, future.points, scale=scale),
-        put(axes, CAPTURED, positions[~alive], scale=scale),
-        put(axes, EVADERS, positions[alive], scale=scale),
-        put(axes, CENTER, moment.disk.center, scale=scale),
-        put(axes, pursuer_flying(moment.pursuer_heading), moment.pursuer, scale=scale),
+        draw_disk(axes, snapshot.disk.center, snapshot.disk.radius),
+        draw(axes, PURSUER_PREDICTED, future.pursuer),
+        draw(axes, PLANNED, *future.paths),
+        draw(axes, PURSUER_FLOWN, past.pursuer),
+        draw(axes, FLOWN, *np.swapaxes(past.evaders, 0, 1)),
+        draw(axes, PREDICTED, future.points, scale=scale),
+        draw(axes, CAPTURED, positions[~alive], scale=scale),
+        draw(axes, EVADERS, positions[alive], scale=scale),
+        draw(axes, CENTER, snapshot.disk.center, scale=scale),
+        draw(axes, pursuer_flying(snapshot.pursuer_heading), snapshot.pursuer, scale=scale),
     ]
 
 
-def extent(moments: list[Moment], flown: Trajectories) -> Floats:
-    """Points (K, 2) that a camera must see: all that was flown, and what the plans foresaw."""
-    foreseen = [path for moment in moments for path in predicted(moment).paths]
-    return joined([flown.evaders, flown.pursuer, *foreseen])
+def extent(snapshots: list[Snapshot], flown: Trajectories) -> Floats:
+    """Points (K, 2) that a camera must see: trajectories, and the paths planned at snapshots."""
+    planned = [path for snapshot in snapshots for path in predicted(snapshot).paths]
+    return joined([flown.evaders, flown.pursuer, *planned])
 
 
-def put_legend(figure: Figure) -> None:
-    """Explain the signs, at the foot of the figure; about 0.45 in high."""
-    keys = [
-        key(EVADERS, "evader"),
-        key(CAPTURED, "captured"),
-        key(PREDICTED, "predicted capture"),
-        key(pursuer_flying(0.0), "pursuer"),
-        disk_key("pursuer disk"),
-        key(CENTER, "its center"),
-        key(FLOWN, "flown"),
-        key(PLANNED, "planned"),
-        key(PURSUER_PREDICTED, "predicted pursuit"),
+def draw_legend(figure: Figure) -> None:
+    """Explain the markers, at the foot of the figure; about 0.45 in high."""
+    handles = [
+        legend_handle(EVADERS, "evader"),
+        legend_handle(CAPTURED, "captured"),
+        legend_handle(PREDICTED, "predicted capture"),
+        legend_handle(pursuer_flying(0.0), "pursuer"),
+        disk_handle("pursuer disk"),
+        legend_handle(CENTER, "its center"),
+        legend_handle(FLOWN, "flown"),
+        legend_handle(PLANNED, "planned"),
+        legend_handle(PURSUER_PREDICTED, "predicted pursuit"),
     ]
-    figure.legend(handles=keys, loc="lower center", ncols=3, columnspacing=1.2, borderpad=0.1)
+    figure.legend(handles=handles, loc="lower center", ncols=3, columnspacing=1.2, borderpad=0.1)

@@ -1,4 +1,4 @@
-"""A game at any time: between two rows of its record everyone flies the plan of the first one."""
+"""A game at any time. Between two rows of its record, all fly the plan of the earlier row."""
 
 from __future__ import annotations
 
@@ -11,31 +11,31 @@ import numpy.typing as npt
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Floats, Ints
 from covey.simulation import Game
-from covey.views.games.flight import after, places
+from covey.views.games.flight import advance, positions_at
 
 _SAMPLES = 400
-"""Least number of points along the trajectories of a game, which its rows may be far apart for."""
+"""Least number of points along the trajectories of a game: its rows may be far apart."""
 
 
 @dataclass(frozen=True, eq=False)
-class Moment:
+class Snapshot:
     """The state of a game at one time.
 
     Attributes
     ----------
     time : float
     team, turns : Team, numpy.ndarray
-        All N evaders, the captured ones at rest, and the (N,) turns that are still planned.
+        All N evaders, captured ones at rest, and the (N,) turns that remain of the plan.
     alive : numpy.ndarray
         (N,) bool.
     disk : PursuerDisk
-        Where the pursuer can be, for all that the team knows.
+        All positions of the pursuer that the team must reckon with.
     pursuer, pursuer_heading : numpy.ndarray, float
-        Where it is, (2,), and where it flies, radians.
+        Position (2,) and heading, radians.
     guaranteed : float
-        Time until which the plan guarantees that somebody lives.
+        Time of the last capture that the plan guarantees.
     sequence : numpy.ndarray
-        The living in the order in which the plan would be captured earliest.
+        The living, in the order of the earliest capture of the plan.
     """
 
     time: float
@@ -51,7 +51,7 @@ class Moment:
 
 @dataclass(frozen=True, eq=False)
 class Trajectories:
-    """Where everyone has been: K times, evaders (K, N, 2) and the pursuer (K, 2)."""
+    """Positions at K times: evaders (K, N, 2) and the pursuer (K, 2)."""
 
     times: Floats
     evaders: Floats
@@ -59,18 +59,18 @@ class Trajectories:
 
 
 def end_of(game: Game) -> float:
-    """Time of the last row: the last capture, or the limit at which the game was stopped."""
+    """Time of the last row: the last capture, or the time limit."""
     return float(game.times[-1])
 
 
-def moment_at(game: Game, time: float) -> Moment:
+def snapshot_at(game: Game, time: float) -> Snapshot:
     """The state of `game` at `time`, from 0 to its end; at a capture, just after it."""
     row = int(np.searchsorted(game.times, time, side="right")) - 1
     elapsed = time - float(game.times[row])
     alive = _alive(game, row)
-    team, turns = after(_team(game, row), game.evader_turns[row], elapsed)
+    team, turns = advance(_team(game, row), game.evader_turns[row], elapsed)
     sequence = game.critical_sequences[row]
-    return Moment(
+    return Snapshot(
         time=time,
         team=team,
         turns=turns,
@@ -89,28 +89,28 @@ def moment_at(game: Game, time: float) -> Moment:
 
 
 def trajectories(game: Game) -> Trajectories:
-    """The whole game at all of its rows, and often enough in between for smooth lines."""
+    """The whole game, at all rows and often enough in between for smooth lines."""
     times = np.union1d(game.times, np.linspace(0.0, end_of(game), _SAMPLES))
     rows = np.searchsorted(game.times, times, side="right") - 1
     stretches = [
-        places(_team(game, row), game.evader_turns[row], times[rows == row] - game.times[row])
+        positions_at(_team(game, row), game.evader_turns[row], times[rows == row] - game.times[row])
         for row in np.unique(rows).tolist()
     ]
     return Trajectories(times, np.concatenate(stretches), _pursuer_at(game, times))
 
 
-def until(flown: Trajectories, moment: Moment) -> Trajectories:
-    """The part of the trajectories that has been flown, up to the moment itself."""
-    count = int(np.searchsorted(flown.times, moment.time))
+def until(flown: Trajectories, snapshot: Snapshot) -> Trajectories:
+    """The part of the trajectories up to a snapshot, whose positions are the last."""
+    count = int(np.searchsorted(flown.times, snapshot.time))
     return Trajectories(
-        np.append(flown.times[:count], moment.time),
-        np.concatenate([flown.evaders[:count], moment.team.positions[None]]),
-        np.concatenate([flown.pursuer[:count], moment.pursuer[None]]),
+        np.append(flown.times[:count], snapshot.time),
+        np.concatenate([flown.evaders[:count], snapshot.team.positions[None]]),
+        np.concatenate([flown.pursuer[:count], snapshot.pursuer[None]]),
     )
 
 
 def capture_points(game: Game) -> Floats:
-    """Where the evaders of `capture_sequence` were captured, (C, 2)."""
+    """Positions (C, 2) at which the evaders of `capture_sequence` were captured."""
     points: Floats = game.evader_positions[-1, game.capture_sequence]
     return points
 
@@ -131,13 +131,13 @@ def _team(game: Game, row: int) -> Team:
 
 
 def _pursuer_at(game: Game, times: Floats) -> Floats:
-    # Its motion is simple, so between two rows it flies straight.
+    # The pursuer's motion is simple: between two rows it flies straight.
     x, y = (np.interp(times, game.times, game.pursuer_positions[:, axis]) for axis in (0, 1))
     return np.column_stack([x, y])
 
 
 def _pursuer_heading(game: Game, row: int) -> float:
-    """Where it goes from `row` on; where it came from if it goes nowhere any more."""
+    """Heading of the pursuer's next move from `row` on, or of its last move if there is none."""
     steps = np.diff(game.pursuer_positions, axis=0)
     moving = np.flatnonzero(np.hypot(*steps.T) > 0.0)
     if moving.size == 0:

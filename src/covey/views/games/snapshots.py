@@ -10,20 +10,20 @@ from matplotlib.figure import Figure
 from covey.model import InputError
 from covey.model.validation import Floats, frozen_array
 from covey.simulation import Game
-from covey.views.games.scene import draw_moment, extent, put_legend
-from covey.views.games.snapshot import end_of, moment_at, trajectories
-from covey.views.kit.layout import add_axes, aim, camera_around, margins, new_figure
+from covey.views.games.scene import draw_legend, draw_scene, extent
+from covey.views.games.snapshot import end_of, snapshot_at, trajectories
+from covey.views.kit.layout import add_axes, camera_around, margins, new_figure, set_view
 from covey.views.kit.style import COLUMN_WIDTH, styled
-from covey.views.kit.time_format import clock
+from covey.views.kit.time_format import time_format
 
 _BOTTOM, _GAP, _TITLE = 0.66, 0.08, 0.20
-_MARKS = 0.75
-"""Size of the marks: these maps are half as wide as others."""
+_SCALE = 0.75
+"""Scale of the markers: these maps are half as wide as others."""
 
 
 @styled
 def draw_snapshots(game: Game, times: Sequence[float] | None = None) -> Figure:
-    """Snapshots of a game, all through the same camera, two in a row (Fig. 3 of the paper).
+    """Draw snapshots of a game, all through the same camera, two in a row (Fig. 3 of the paper).
 
     Parameters
     ----------
@@ -41,30 +41,32 @@ def draw_snapshots(game: Game, times: Sequence[float] | None = None) -> Figure:
     Raises
     ------
     InputError
-        If there are no times, or one is not within the game.
+        If there are no times, or a time is outside of the game.
     """
-    moments = [moment_at(game, time) for time in _checked(game, times)]
+    snapshots = [snapshot_at(game, time) for time in _checked(game, times)]
     flown = trajectories(game)
-    camera = camera_around(extent(moments, flown))
-    write = clock(end_of(game))
-    rows = -(-len(moments) // 2)
+    camera = camera_around(extent(snapshots, flown))
+    write = time_format(end_of(game))
+    rows = -(-len(snapshots) // 2)
     left, right = margins(camera)
     side = (COLUMN_WIDTH - left - _GAP - right) / 2
     figure = new_figure(COLUMN_WIDTH, _BOTTOM + rows * (side + _TITLE))
-    for number, moment in enumerate(moments):
+    for number, snapshot in enumerate(snapshots):
         across, down = number % 2, number // 2
         bottom = _BOTTOM + (rows - 1 - down) * (side + _TITLE)
         axes = add_axes(figure, left + across * (side + _GAP), bottom, side, side)
-        aim(axes, camera)
-        axes.tick_params(labelleft=across == 0, labelbottom=number + 2 >= len(moments))
-        axes.set_title(f"({chr(ord('a') + number)})  $t$ = {write(moment.time)}", loc="left", pad=3)
-        draw_moment(axes, moment, flown, _MARKS)
-    put_legend(figure)
+        set_view(axes, camera)
+        axes.tick_params(labelleft=across == 0, labelbottom=number + 2 >= len(snapshots))
+        axes.set_title(
+            f"({chr(ord('a') + number)})  $t$ = {write(snapshot.time)}", loc="left", pad=3
+        )
+        draw_scene(axes, snapshot, flown, _SCALE)
+    draw_legend(figure)
     return figure
 
 
 def default_times(game: Game) -> Floats:
-    """Four moments that tell the story of a hidden pursuer: the disk grows, and collapses."""
+    """Four times between which a hidden pursuer's disk grows and collapses."""
     captures = game.capture_times
     if len(captures) < 2 or captures[0] == 0.0:
         return np.linspace(0.0, end_of(game), 4)

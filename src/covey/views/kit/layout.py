@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from string import ascii_lowercase
 from typing import NamedTuple
 
 import numpy as np
@@ -18,7 +20,7 @@ TITLE = 0.22
 
 
 class Camera(NamedTuple):
-    """The square that is shown: its middle and half its side, lengths."""
+    """The square of the plane that is shown: its center and half its side, lengths."""
 
     x: float
     y: float
@@ -26,7 +28,7 @@ class Camera(NamedTuple):
 
 
 def camera_around(points: Floats, margin: float = 0.08) -> Camera:
-    """Smallest square around `points` (K, 2), with a margin, as a share of its side, all round."""
+    """Smallest square around `points` (K, 2), widened on each side by `margin` times its side."""
     low, high = points.min(axis=0), points.max(axis=0)
     x, y = (0.5 * (low + high)).tolist()
     side = float(np.max(high - low)) or 1.0
@@ -34,20 +36,40 @@ def camera_around(points: Floats, margin: float = 0.08) -> Camera:
 
 
 def new_figure(width: float, height: float) -> Figure:
-    """An empty figure, inches, that no global state knows of."""
+    """An empty figure, sizes in inches. pyplot's global state doesn't hold it."""
     figure = Figure(figsize=(width, height))
     FigureCanvasAgg(figure)
     return figure
 
 
 def add_axes(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
-    """Axes at an exact place of the figure, inches."""
+    """Axes at an exact position in the figure, inches."""
     across, up = figure.get_size_inches()
     return figure.add_axes((left / across, bottom / up, width / across, height / up))
 
 
-def aim(axes: Axes, camera: Camera, *, ticks: bool = True) -> None:
-    """Show the camera's square, and no artist that is added later changes it."""
+def panels_in_a_row(
+    titles: Iterable[str], side: float, headroom: float
+) -> tuple[Figure, list[Axes]]:
+    """Panels of height `side` with lettered titles; the first has the tick labels of y; inches.
+
+    Two panels are two columns of a paper wide.
+    """
+    titles = list(titles)
+    left, bottom, gap = 0.5, 0.4, 0.18
+    width = (2.0 * COLUMN_WIDTH - left - 0.28 - gap) / 2.0
+    figure = new_figure(left + len(titles) * (width + gap) + 0.1, bottom + side + headroom)
+    panels = []
+    for k, title in enumerate(titles):
+        axes = add_axes(figure, left + k * (width + gap), bottom, width, side)
+        axes.set_title(f"({ascii_lowercase[k]})  {title}", loc="left", pad=3)
+        axes.tick_params(labelleft=k == 0)
+        panels.append(axes)
+    return figure, panels
+
+
+def set_view(axes: Axes, camera: Camera, *, ticks: bool = True) -> None:
+    """Show the camera's square. Artists that are added later don't change the limits."""
     x, y, half = camera
     axes.set_aspect("equal")
     axes.set_xlim(x - half, x + half)
@@ -60,10 +82,10 @@ def aim(axes: Axes, camera: Camera, *, ticks: bool = True) -> None:
 
 
 def margins(camera: Camera) -> tuple[float, float]:
-    """Inches left and right of a map for its numbers: lengths may be in miles or micrometres."""
+    """Inches left and right of a map for its tick labels, measured: lengths are in any unit."""
     figure = new_figure(COLUMN_WIDTH, COLUMN_WIDTH)
     axes = add_axes(figure, 1.0, 1.0, 2.0, 2.0)
-    aim(axes, camera)
+    set_view(axes, camera)
     beside, below = (
         max((number.get_window_extent().width for number in numbers), default=0.0) / figure.dpi
         for numbers in (axes.get_yticklabels(), axes.get_xticklabels())
@@ -74,7 +96,7 @@ def margins(camera: Camera) -> tuple[float, float]:
 def single_map(
     camera: Camera, *, ticks: bool = True, headroom: float = 0.08
 ) -> tuple[Figure, Axes]:
-    """A figure one column wide with one square map; `headroom` above it, inches."""
+    """A figure one column wide with one square map, and `headroom` above the map, inches."""
     letter = 0.2
     left, right, bottom = letter, 0.06, letter + 0.02
     if ticks:
@@ -83,7 +105,7 @@ def single_map(
     side = COLUMN_WIDTH - left - right
     figure = new_figure(COLUMN_WIDTH, bottom + side + headroom)
     axes = add_axes(figure, left, bottom, side, side)
-    aim(axes, camera, ticks=ticks)
+    set_view(axes, camera, ticks=ticks)
     axes.set_xlabel("$x$", labelpad=1)
     axes.set_ylabel("$y$", labelpad=1)
     return figure, axes

@@ -1,4 +1,4 @@
-"""Labels beside points, each where it hides least."""
+"""Labels beside points, each at the position where it hides least."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ _DISTANCES = (5.0, 8.0, 12.0, 17.0, 24.0, 33.0)
 
 _DIRECTIONS = tuple(math.tau * k / 16 for k in range(16))
 _OVERLAP, _OUTSIDE, _FAR = 1000.0, 1000.0, 0.2
-"""What a place costs for each label under it, for leaving the map, for each point of distance; a
-point of a line that it hides costs 1."""
+"""Cost of a position: for each label that it overlaps, for leaving the map, for each typographic
+point of distance. Each hidden point of a line costs 1."""
 
 _LEADER = {
     "arrowstyle": "-",
@@ -29,7 +29,7 @@ _LEADER = {
     "shrinkB": 0.0,
 }
 _NEAR = 9.0
-"""A hair line joins mark and label where they are farther apart than this."""
+"""A hair line joins a mark and its label if they are farther apart, typographic points."""
 
 
 def label(
@@ -39,17 +39,17 @@ def label(
     lines: Floats,
     size: float = style.SMALL_TEXT_SIZE,
 ) -> list[Annotation]:
-    """Write a text beside each of `points` (K, 2), off each other and off `lines` (M, 2).
+    """Write a text beside each of `points` (K, 2), clear of other labels and of `lines` (M, 2).
 
-    Greedy: one label after the other takes the best place that is left. The axes must have their
-    final place and limits.
+    Greedy: one label after the other takes the best position that is left. The axes must have their
+    final position and limits.
     """
     drawn = axes.transData.transform(np.concatenate([lines, points]))
     taken: list[Bbox] = []
     labels = []
     for point, text in zip(points, texts, strict=True):
         note = _note(axes, point, text, size)
-        distance, offset, box = _best_place(axes, note, drawn, taken)
+        distance, offset, box = _best_position(axes, note, drawn, taken)
         note.set_position(offset)
         if note.arrow_patch is not None:
             note.arrow_patch.set_visible(distance > _NEAR)
@@ -59,7 +59,7 @@ def label(
 
 
 def footprint(axes: Axes, text: Text) -> Floats:
-    """Points (K, 2) all over a text, which labels keep off."""
+    """Points (K, 2) all over a text, for labels to keep clear of."""
     box = text.get_window_extent()
     shares = np.linspace(0.0, 1.0, 5)
     grid = [(box.x0 + a * box.width, box.y0 + b * box.height) for a in shares for b in shares]
@@ -81,10 +81,10 @@ def _note(axes: Axes, point: Floats, text: str, size: float) -> Annotation:
     )
 
 
-def _best_place(
+def _best_position(
     axes: Axes, note: Annotation, drawn: Floats, taken: list[Bbox]
 ) -> tuple[float, tuple[float, float], Bbox]:
-    """Distance and offset from its point, in typographic points, and the box it fills, pixels."""
+    """Distance and offset from the point, typographic points, and the label's box, pixels."""
     pixels = axes.figure.dpi / 72.0
     extent = note.get_window_extent()
     half_width, half_height = 0.5 * extent.width / pixels, 0.5 * extent.height / pixels

@@ -1,4 +1,4 @@
-"""Points along lines, for what must know where something is drawn: cameras and labels."""
+"""Points along lines: cameras and labels must know where something is drawn."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ def joined(paths: Iterable[Floats]) -> Floats:
     return np.concatenate([np.reshape(path, (-1, 2)) for path in paths])
 
 
-def dense(corners: Floats) -> Floats:
+def sampled(corners: Floats) -> Floats:
     """Points (K, 2) along the straight pieces between `corners` (M, 2)."""
     numbers = np.arange(len(corners))
-    places = np.linspace(0.0, len(corners) - 1.0, _SAMPLES * max(1, len(corners) - 1))
-    return np.column_stack([np.interp(places, numbers, corners[:, axis]) for axis in (0, 1)])
+    samples = np.linspace(0.0, len(corners) - 1.0, _SAMPLES * max(1, len(corners) - 1))
+    return np.column_stack([np.interp(samples, numbers, corners[:, axis]) for axis in (0, 1)])

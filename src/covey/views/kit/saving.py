@@ -1,4 +1,4 @@
-"""Pictures to files: the name's ending says how, and the same picture gives the same bytes."""
+"""Save pictures to files. The ending says the format; the same picture gives the same bytes."""
 
 from __future__ import annotations
 
@@ -25,19 +25,19 @@ _NO_DATES: dict[str, dict[str, Any]] = {
 
 @styled
 def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
-    """Save a picture. Folders that are missing are made, and a file of that name is replaced.
+    """Save a picture. Missing folders are made, and an existing file is replaced.
 
     Parameters
     ----------
     figure
         What one of the drawing functions returned.
     path
-        Ends in .png, .svg or .pdf, which says how to save it.
+        Ends in .png, .svg or .pdf: the format.
 
     Returns
     -------
     pathlib.Path
-        Where it is now.
+        The file that was written.
 
     Raises
     ------
@@ -46,15 +46,15 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
     OSError
         If the file can't be written; its `strerror` says why.
     """
-    place = Path(path)
-    suffix = checked_suffix(place, STILLS, "a picture")
-    with whole_file(place) as file:
+    path = Path(path)
+    suffix = checked_suffix(path, STILLS, "a picture")
+    with whole_file(path) as file:
         figure.savefig(file, format=suffix[1:], metadata=_NO_DATES[suffix])
-    return place
+    return path
 
 
 def checked_suffix(path: Path, possible: Sequence[str], what: str) -> str:
-    """Return the ending of a file's name, in small letters, if `what` can be saved as that."""
+    """Return a file's ending in lower case, or raise InputError if `what` can't have it."""
     suffix = path.suffix.lower()
     if suffix in possible:
         return suffix

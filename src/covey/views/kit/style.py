@@ -1,9 +1,9 @@
 """How everything looks: colours, lines, fonts. Nothing else in this room names a colour.
 
-The colours are those of Okabe and Ito, which colour-blind readers tell apart. The team is round and
-its lines are thick; the pursuer is a triangle and its lines are thin; what is planned is broken. So
-a figure printed in grey loses nothing. Sizes are for one column of a paper (3.5 in) and scale up
-to a slide.
+The colours are Okabe and Ito's: colour-blind readers tell them apart. A figure printed in grey
+loses nothing: evaders are round and their lines thick, the pursuer is a triangle and its lines
+thin, planned lines are broken. Sizes are for one column of a paper (3.5 in) and scale up to a
+slide.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ PURSUER = INK
 DISK = "#dadada"
 DISK_EDGE = "#9a9a9a"
 
-# Shades of one blue, from few evaders to many, each with its own mark for those who print in grey.
+# Shades of one blue, from few evaders to many; each has its own mark, for print in grey.
 TEAM_SHADES = ("#9ecae1", "#5aa2cf", "#2171b5", "#08306b")
 TEAM_MARKS = ("o", "s", "^", "D")
 
@@ -35,6 +35,8 @@ PURSUER_LINE = 0.7
 THIN_LINE = 0.6
 PLANNED_DASHES = (0, (3.0, 1.6))
 PURSUER_DOTS = (0, (1.0, 1.8))
+GUIDE: dict[str, Any] = {"color": FAINT, "linewidth": THIN_LINE, "linestyle": PURSUER_DOTS}
+"""A thin dotted line that helps to read a chart."""
 
 EVADER_SIZE = 5.0
 DOT_SIZE = 3.0
@@ -83,12 +85,24 @@ RC: dict[str, Any] = {
     "ytick.major.width": THIN_LINE,
 }
 
+
+def team_size_series(k: int, size: int) -> dict[str, Any]:
+    """Return how the k-th of several team sizes is drawn, for `Axes.errorbar`."""
+    return {
+        "color": TEAM_SHADES[k % len(TEAM_SHADES)],
+        "marker": TEAM_MARKS[k % len(TEAM_MARKS)],
+        "markeredgewidth": 0.0,
+        "elinewidth": 1.3 * THIN_LINE,
+        "label": f"$N = {size}$",
+    }
+
+
 Arguments = ParamSpec("Arguments")
 Result = TypeVar("Result")
 
 
 def styled(function: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
-    """Run a function under this style, whatever style its caller has set for other figures."""
+    """Run a function under this style, whatever style its caller has set."""
 
     @wraps(function)
     def under_style(*args: Arguments.args, **kwargs: Arguments.kwargs) -> Result:

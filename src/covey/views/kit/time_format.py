@@ -1,4 +1,4 @@
-"""Times as text, all of a picture with the same number of decimals."""
+"""Times as text. All times of a picture have the same number of decimals."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable
 
 
-def clock(longest: float) -> Callable[[float], str]:
-    """Return what writes times up to `longest`: three digits of the longest, as many of each."""
+def time_format(longest: float) -> Callable[[float], str]:
+    """Return a function that writes times, all with the decimals that give `longest` 3 digits."""
     if not 1e-3 <= longest < 1e5:
         return lambda time: f"{time:.3g}"
     decimals = max(0, 2 - math.floor(math.log10(longest)))

@@ -1,4 +1,4 @@
-// Draws one moment of a game. Sizes are in CSS pixels, places in the game's lengths.
+// Draws one moment of a game. Sizes are in CSS pixels, positions in the game's lengths.
 
 import { ahead } from "./film.js";
 
@@ -30,7 +30,7 @@ export class Board {
     this.camera.resize(clientWidth, clientHeight);
   }
 
-  // A ring that spreads from a capture, unless motion is unwelcome.
+  // A ring that spreads from a capture, unless the system asks for reduced motion.
   flash(x, y, now) {
     if (!this.camera.reducedMotion.matches) this.flashes.push({ x, y, since: now });
   }

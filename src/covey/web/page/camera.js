@@ -1,8 +1,8 @@
-// What part of the plane is seen: everybody who is in the game, with room around.
+// Which part of the plane is shown: everybody in the game, and a margin.
 
 const ROOM = 1.5;
-const SECONDS = 0.35; // in which the view follows
-const LEAST_SHARE = 0.45; // of the first view: the last chase isn't magnified without end
+const SECONDS = 0.35; // time constant of the view
+const LEAST_SHARE = 0.45; // of the first view: a limit on how far the last chase is magnified
 
 export class Camera {
   constructor() {
@@ -42,19 +42,19 @@ export class Camera {
     ];
   }
 
-  // Show these places at once, within insets: pixels at each side that other things lie on.
-  cut(places, insets) {
+  // Show these positions at once. `insets`: pixels at each side that are covered.
+  cut(positions, insets) {
     this.insets = { ...insets };
     this.least = 0;
-    const wanted = this.wanted(places);
+    const wanted = this.wanted(positions);
     this.least = LEAST_SHARE * wanted.half;
     Object.assign(this, wanted);
   }
 
-  follow(places, insets, seconds) {
-    const wanted = this.wanted(places);
+  follow(positions, insets, seconds) {
+    const wanted = this.wanted(positions);
     if (this.reducedMotion.matches) {
-      if (!this.holds(places)) Object.assign(this, wanted, { half: 1.3 * wanted.half });
+      if (!this.holds(positions)) Object.assign(this, wanted, { half: 1.3 * wanted.half });
       return;
     }
     const share = 1 - Math.exp(-seconds / SECONDS);
@@ -62,17 +62,17 @@ export class Camera {
     for (const key of ["x", "y", "half"]) this[key] += share * (wanted[key] - this[key]);
   }
 
-  wanted(places) {
-    const [left, right] = range(places.map(([x]) => x));
-    const [low, high] = range(places.map(([, y]) => y));
+  wanted(positions) {
+    const [left, right] = range(positions.map(([x]) => x));
+    const [low, high] = range(positions.map(([, y]) => y));
     const wide = (this.width - this.insets.left - this.insets.right) / (this.height - this.insets.top - this.insets.bottom);
     // The narrower side of the view is 2 * half long.
     const half = (ROOM / 2) * Math.max((right - left) / Math.max(wide, 1), (high - low) * Math.min(wide, 1));
     return { x: (left + right) / 2, y: (low + high) / 2, half: Math.max(half, this.least) || 1 };
   }
 
-  holds(places) {
-    return places.every(([x, y]) => {
+  holds(positions) {
+    return positions.every(([x, y]) => {
       const [screenX, screenY] = this.toScreen(x, y);
       return screenX > 20 && screenY > 20 && screenX < this.width - 20 && screenY < this.height - 90;
     });

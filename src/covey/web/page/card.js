@@ -1,4 +1,4 @@
-// The card over the board: what to do next, and what came of a game.
+// The card over the board: what to do next, and the result of a game.
 
 import { percent } from "./results.js";
 import { short } from "./timeline.js";

@@ -1,4 +1,4 @@
-// The form of choices, and the address of the page, which holds them so that a game can be shared.
+// The form of choices. The page's address holds the choices, so a game can be shared.
 
 const DEFAULTS = {
   evaders: 5, speed: 0.25, pursuer_speed: 1, turn_rate: 1.57, capture_radius: 0.03,

@@ -1,4 +1,4 @@
-// The WebSocket to the server. It is opened anew when it breaks.
+// The WebSocket to the server, opened anew when it breaks.
 
 const LARGEST = 16 * 2 ** 20;
 

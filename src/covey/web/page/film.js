@@ -1,4 +1,4 @@
-// A game as a row of pictures, and the state between two of them.
+// A game as a sequence of pictures, and the state at any time between two pictures.
 
 export class Film {
   constructor(cast, pictures) {
@@ -26,7 +26,7 @@ export class Film {
     return low;
   }
 
-  // The state at `time`: places between two pictures, knowledge and plans of the earlier one.
+  // The state at `time`: positions are interpolated; plans and times are the earlier picture's.
   at(time) {
     const index = this.indexAt(time);
     const a = this.pictures[index];
@@ -40,7 +40,7 @@ export class Film {
       return [mix(x, nextX), mix(y, nextY), heading + share * bend, turn];
     });
     const pursuer = a.pursuer.map((value, k) => mix(value, b.pursuer[k]));
-    // A capture makes the disk collapse: it shrinks at once and never slowly.
+    // At a capture the disk collapses at once, so a shrinking disk isn't interpolated.
     const grows = b.disk[2] >= a.disk[2] && a.captured.length === b.captured.length;
     const disk = a.disk.map((value, k) => (grows ? mix(value, b.disk[k]) : value));
     const flight = [b.pursuer[0] - a.pursuer[0], b.pursuer[1] - a.pursuer[1]];
@@ -48,7 +48,7 @@ export class Film {
   }
 }
 
-// Place of an evader on its plan, `wait` after the picture it stands in: a turn, then straight on.
+// Position of an evader on its plan, `wait` after a picture: it turns, then flies straight.
 export function ahead([x, y, heading, turn], speed, turnRate, wait) {
   const turning = turnRate === null || turnRate === 0 ? 0 : Math.min(wait, Math.abs(turn) / turnRate);
   if (turnRate === null) heading += turn;

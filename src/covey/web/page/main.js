@@ -1,4 +1,4 @@
-// The page: what is chosen goes to the server, what it plays comes to the board.
+// The page: sends the choices and the steering to the server, and shows what the server plays.
 
 import { Board } from "./board.js";
 import { Camera } from "./camera.js";
@@ -14,7 +14,7 @@ import { Timeline, short } from "./timeline.js";
 const at = (id) => document.getElementById(id);
 const PLAY = "M8 5v14l11-7z";
 const PAUSE = "M7 5h4v14H7zM13 5h4v14h-4z";
-const STEER_EVERY = 1000 / 70; // ms: less often than the server would mind
+const STEER_EVERY = 1000 / 70; // ms: below the server's rate limit
 
 const camera = new Camera();
 const board = new Board(at("board"), camera);
@@ -25,13 +25,13 @@ const choices = new Choices(at("choices"), newGame);
 const steering = new Steering(at("board"), camera, pressed);
 const connection = new Connection(received, saveFile, connected);
 
-// "none", "ready", "live", "over": the person's game. A whole game may be shown over it: `watching`.
+// `game`, the person's game: "none", "ready", "live", "over". `watching`: the whole game that is shown instead.
 const state = { game: "none", optimal: null, score: null, watching: null, watchedTime: null, best: false, updateTime: 1 };
 let drawnAt = performance.now();
 let steeredAt = 0;
 let toastTimer = 0;
 
-at("board").camera = camera; // so that scripts can play: it says where a place is on the screen
+at("board").camera = camera; // for scripts that play: it maps the plane to the screen
 
 // The person's game.
 
@@ -104,7 +104,7 @@ function gameIsSet({ cast, picture, update_time: updateTime }) {
   Object.assign(state, { game: "ready", optimal: null, score: null, watching: null, best: false, updateTime });
   playback.begin(cast, picture);
   card.ready(cast);
-  camera.cut(places(playback.moment), insets());
+  camera.cut(positions(playback.moment), insets());
   board.heading = Math.PI / 2;
   say(`Game ready. ${cast.sure ? "The team is sure to survive for" : "The team's first plan is worth"} ${short(cast.guarantee)}.`);
 }
@@ -153,7 +153,7 @@ function filmCame({ game, cast, pictures, survival_time: time }) {
   Object.assign(state, { watching: game, watchedTime: time });
   playback.load(cast, pictures);
   card.hide();
-  camera.cut(places(playback.moment), insets());
+  camera.cut(positions(playback.moment), insets());
   scrollTo(0, 0); // on a phone the button may be far below the board
 }
 
@@ -187,7 +187,7 @@ function backToGame() {
   }
   state.watching = null;
   playback.showLive();
-  camera.cut(places(playback.moment), insets());
+  camera.cut(positions(playback.moment), insets());
   if (state.game === "ready") card.ready(playback.live.cast);
   else if (state.game === "over") showOver();
   else card.hide();
@@ -208,15 +208,15 @@ async function openFile(file) {
   if (!connection.sendFile(await file.arrayBuffer())) toast(`${file.name} is too large to be shown; use covey draw`);
 }
 
-// What is seen: who is in the game and, when it is over, all of it.
+// Positions to show: everybody in the game and, when it is over, all that was flown.
 
-function places({ evaders, sequence, pursuer }) {
+function positions({ evaders, sequence, pursuer }) {
   const alive = sequence.map((i) => evaders[i]);
   const flown = sequence.length ? [] : playback.film.pictures.map((picture) => picture.pursuer);
   return [...(sequence.length ? alive : evaders), ...flown, pursuer];
 }
 
-// Room for what lies on the board.
+// Pixels at each side of the board that are covered by other elements.
 function insets() {
   const small = innerWidth <= 820;
   const room = { top: small ? 76 : 40, bottom: 90, left: 24, right: 24 };
@@ -243,7 +243,7 @@ function draw(now) {
 }
 
 function drawMoment(moment, now, seconds) {
-  camera.follow(places(moment), insets(), seconds);
+  camera.follow(positions(moment), insets(), seconds);
   const target = playback.isLive && state.game === "live" ? steering.target : null;
   board.draw(playback.film, moment, { beliefs: at("beliefs").checked, target, now });
   const { cast } = playback.film;

@@ -1,8 +1,8 @@
-// Which game is on the board, and which of its moments.
+// Which game is shown, and at which time.
 
 import { Film } from "./film.js";
 
-const BEHIND = 0.035; // seconds that a game in play is shown late, so that there is something to interpolate
+const BEHIND = 0.035; // seconds: a game in play is shown late, so that two pictures can be interpolated
 const STEP = 0.05;
 
 export class Playback {
@@ -12,7 +12,7 @@ export class Playback {
     this.time = 0;
     this.running = false;
     this.pace = 1;
-    this.speed = 0; // of the game's time, as it comes in
+    this.speed = 0; // of the game's time, as pictures arrive
     this.arrived = 0;
   }
 
@@ -41,7 +41,7 @@ export class Playback {
     this.film = new Film(cast, pictures);
     this.time = pictures[0].time;
     this.running = true;
-    // A record may be in any unit of time; one that is a second is played as it is.
+    // A record may be in any unit of time. A game of 1 to 120 units is played with seconds as units.
     const length = this.film.end - this.time;
     this.unit = length >= 1 && length <= 120 ? 1 : length / 10 || 1;
   }
@@ -52,7 +52,7 @@ export class Playback {
     this.running = false;
   }
 
-  // Move on by `seconds` of the wall's clock.
+  // Advance by `seconds` of real time.
   advance(seconds) {
     if (this.isLive) this.followLive(seconds);
     else if (this.running) this.time += seconds * this.pace * this.unit;

@@ -10,11 +10,11 @@ export function readResults() {
     const results = JSON.parse(localStorage.getItem(KEY) ?? "[]");
     return Array.isArray(results) ? results.filter(({ share, choices }) => share > 0 && choices) : [];
   } catch {
-    return []; // no storage here, or somebody else's text in it
+    return []; // there is no storage, or it holds something else
   }
 }
 
-// Returns whether it is the best so far of this very game.
+// Returns whether this result is the best so far with the same choices.
 export function keepResult(result) {
   const address = addressOf(result.choices);
   const results = readResults();

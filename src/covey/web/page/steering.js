@@ -16,7 +16,7 @@ export class Steering {
       this.pointer = [event.clientX - box.left, event.clientY - box.top];
       this.keys.clear();
     };
-    // Also over what lies on the board: one doesn't look at the pointer in a chase.
+    // Also over elements on the board: in a chase nobody looks at the pointer.
     canvas.parentElement.addEventListener("pointermove", move);
     canvas.addEventListener("pointerdown", (event) => {
       canvas.setPointerCapture(event.pointerId);
@@ -43,7 +43,7 @@ export class Steering {
     return this.pointer && this.camera.toPlane(...this.pointer);
   }
 
-  // The message that steers, or null if nothing has changed since the last one.
+  // The message that steers, or null if nothing has changed since the last message.
   message() {
     const message = { type: "steer" };
     if (this.pointer) message.target = this.target.map((value) => Number(value.toFixed(5)));
@@ -60,7 +60,7 @@ export class Steering {
   }
 }
 
-// Whether a key is meant for the game, and not for a field or, as Space is, for a button.
+// Whether a key is meant for the game, and not for a field or, like Space, for a button.
 export function steers(event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return false;
   const within = (kinds) => event.target.closest?.(kinds);

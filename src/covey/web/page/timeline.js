@@ -1,4 +1,4 @@
-// Time as a line: now, the captures, what was guaranteed, what the optimal pursuer needed.
+// Time as a line: now, the captures, the guarantee, the optimal pursuer's survival time.
 
 const WORDS = { guaranteed: 104, optimal: 82 }; // pixels
 
@@ -28,7 +28,7 @@ export class Timeline {
       const early = Math.min(guarantee, optimal) / span;
       const late = Math.max(guarantee, optimal) / span;
       marks.push(mark("optimal", optimal / span, `optimal ${short(optimal)}`));
-      // The words stand outside of the two marks or, where there is no room, at the ends.
+      // The words are outside of the two marks or, without room there, at the ends.
       const [first, last] = guarantee <= optimal ? ["guaranteed", "optimal"] : ["optimal", "guaranteed"];
       const roomy = width * early > WORDS[first] && width * (1 - late) > WORDS[last];
       marks.forEach((each, k) => each.classList.add((k === 0) === (guarantee <= optimal) ? "left-of" : "right-of"));
@@ -47,7 +47,7 @@ function mark(kind, share, text) {
   return element;
 }
 
-// What the first plan is worth is guaranteed only by teams that never fall short of it.
+// Only some teams always survive as long as their first plan guarantees (`sure`).
 export function nameOf(sure) {
   return sure ? "guaranteed" : "first plan";
 }

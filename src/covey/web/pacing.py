@@ -1,21 +1,21 @@
-"""The game's clock beside the wall's: pace, pause, and a machine that is too slow."""
+"""How many updates are due in real time: pace, pause, and a machine that is too slow."""
 
 from __future__ import annotations
 
 from collections import deque
 
 _MOST_OWED = 1.0 / 30.0
-"""Seconds that are made up for; when more is owed, the game falls behind the wall's clock."""
+"""Seconds that are made up for; beyond them the game falls behind real time."""
 
 _RATE_OVER = 1.0
 """Seconds over which the rate of updates is counted."""
 
 
-class Clock:
+class Pacer:
     """Says how many updates are due.
 
-    An update lasts as long as ever in the game's time. Where the machine can't keep up, fewer of
-    them are played a second, and the game runs slower than was asked for.
+    An update is always Δt of the game's time. A machine that can't keep up plays fewer updates a
+    second, so the game runs slower than the pace that was asked for.
 
     Parameters
     ----------
@@ -32,13 +32,13 @@ class Clock:
         self._played: deque[tuple[float, int]] = deque()
 
     def run(self, now: float) -> None:
-        """Let time run from `now`, in seconds of the wall's clock."""
+        """Let time run from `now`, seconds."""
         if not self.running:
             self.running, self._last, self._owed = True, now, 0.0
             self._played.clear()
 
     def pause(self) -> None:
-        """Let it stand."""
+        """Let time stand still."""
         self.running = False
 
     def due(self, now: float) -> int:
@@ -52,16 +52,16 @@ class Clock:
         return updates
 
     def count(self, now: float, updates: int) -> None:
-        """Remember that so many updates were played."""
+        """Count `updates` that were played, for `rate`."""
         self._played.append((now, updates))
         while self._played[0][0] < now - _RATE_OVER:
             self._played.popleft()
 
     def rate(self, now: float) -> float:
-        """Updates that were played a second, lately."""
+        """Return the updates played a second, over the last `_RATE_OVER` seconds."""
         if not self._played:
             return 0.0
-        # What the first entry counts was played before the time it stands at.
+        # The updates of the first entry were played before its time.
         since = self._played[0][0]
         played = sum(updates for _, updates in self._played) - self._played[0][1]
         return played / (now - since) if now > since else 0.0

@@ -1,4 +1,4 @@
-"""Games side by side, as Gymnasium's vector environments: what both sides' batches share."""
+"""Many games at once, as a Gymnasium vector environment: what both sides' batches share."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
 from covey.envs.episode import Seen
-from covey.envs.setup import Setup, Start
+from covey.envs.setup import InitialState, Setup
 from covey.envs.spaces import direction_space, observation_space, steering_space
 from covey.kernels.play.batches import observe_games
 from covey.kernels.play.rules import State, initial_state
@@ -22,8 +22,8 @@ from covey.model.validation import Floats, whole_number
 Flags = npt.NDArray[np.bool_]
 
 
-class Games(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
-    """What both batches share: games, each of them begun anew in the step that ends it."""
+class GameBatch(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
+    """B games. A game that ends is begun anew in the same step."""
 
     metadata: dict[str, Any] = {"autoreset_mode": AutoresetMode.SAME_STEP}  # noqa: RUF012 as declared
     of_team: ClassVar[bool]
@@ -47,9 +47,9 @@ class Games(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
         seed: int | Sequence[int | None] | None = None,
         options: dict[str, Any] | None = None,
     ) -> tuple[Seen, dict[str, Any]]:
-        """Start all games; game b is the one that a single view starts with seed `seed` + b.
+        """Start all games. Game b is that of a single environment with the seed `seed` + b.
 
-        `options` are those of a single view, the same for all games.
+        `options` are those of a single environment, the same for all games.
         """
         if seed is None or isinstance(seed, int | np.integer):
             seeds = [None if seed is None else int(seed) + b for b in range(self.num_envs)]
@@ -65,7 +65,7 @@ class Games(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
         return self._observe(), self._infos(np.ones(self.num_envs, np.bool_))
 
     def step(self, actions: npt.ArrayLike) -> tuple[Seen, Floats, Flags, Flags, dict[str, Any]]:
-        """Fly every game until its next update or capture; begin those anew that end with it."""
+        """Fly every game until its next update or capture; begin the games anew that end."""
         if not self._begun:
             raise InputError("step: expected games to be begun; call reset() first")
         before = self.states.time[:, 0].copy()
@@ -88,10 +88,10 @@ class Games(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
 
     def _begin(self, b: int, options: dict[str, Any] | None) -> None:
         generator = self._generators[b]
-        start = self.setup.draw(generator, options)
-        for ours, new in zip(self.states, self.setup.first_state(start), strict=True):
+        initial = self.setup.draw(generator, options)
+        for ours, new in zip(self.states, self.setup.first_state(initial), strict=True):
             ours[b] = new
-        self._guarantees[b] = self.begin_opponent(b, start, int(generator.integers(2**31)))
+        self._guarantees[b] = self.begin_opponent(b, initial, int(generator.integers(2**31)))
 
     def _observe(self) -> Seen:
         seen = np.empty(self.observation_space.shape or (), np.float32)
@@ -99,15 +99,15 @@ class Games(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
         return seen
 
     def _infos(self, which: Flags) -> dict[str, Any]:
-        """Infos of some games, as Gymnasium batches them: with a mask beside every array."""
+        """Return the infos of the games in `which`, as Gymnasium batches them: arrays and masks."""
         values = {"guarantee": self._guarantees, "time": self.states.time[:, 0]}
         infos: dict[str, Any] = {}
         for name, value in values.items():
             infos |= {name: np.where(which, value, 0.0), f"_{name}": which}
         return infos
 
-    def begin_opponent(self, b: int, start: Start, seed: int) -> float:
-        """Prepare the opponent of game b; return the guaranteed survival time."""
+    def begin_opponent(self, b: int, initial: InitialState, seed: int) -> float:
+        """Prepare the opponent of game b, and return the guaranteed survival time."""
         raise NotImplementedError
 
     def fly(self, actions: npt.ArrayLike) -> None:
