@@ -1,6 +1,6 @@
 """The public names, each with the room that it comes from.
 
-`__init__.py` imports a name from its room when the name is first used. Type checkers read this file.
+`__init__.py` imports a name when it is first used. Type checkers read this file too.
 """
 
 from .bounds import Bracket as Bracket
