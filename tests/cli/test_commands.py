@@ -210,7 +210,7 @@ def test_results_are_printed_before_the_record_is_saved(scenario, monkeypatch, c
     def full(game, path):
         raise OSError(28, "No space left on device", str(path))
 
-    monkeypatch.setattr("covey.simulation.save_game", full)
+    monkeypatch.setattr(covey, "save_game", full)
     assert main(["simulate", "three.toml", "-o", "game.parquet"]) == 2
     output = capsys.readouterr()
     assert "guaranteed survival time" in output.out

@@ -23,6 +23,7 @@ def run(*arguments):
     [
         "import covey",
         "from covey.cli import main; main(['--help'])",
+        "from covey.cli import main; main(['plan', '--help'])",
         "from covey.cli import main; main(['draw', '--help'])",
         "from covey.cli import main; main(['chase', '--help'])",
         "from covey.cli import main; main(['--version'])",
@@ -65,7 +66,8 @@ def test_help_names_the_commands_the_examples_and_the_units(capsys):
 
 
 @pytest.mark.parametrize(
-    "command", ["plan", "simulate", "worst-case", "draw", "reproduce", "yardstick", "chase"]
+    "command",
+    ["plan", "simulate", "worst-case", "draw", "study", "reproduce", "yardstick", "chase"],
 )
 def test_the_help_of_each_command_shows_how_it_is_called(command, capsys):
     assert main([command, "--help"]) == 0

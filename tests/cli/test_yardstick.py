@@ -7,11 +7,11 @@ import csv
 import pytest
 
 from covey.cli import main
-from covey.cli.show import measuring
+from covey.cli.commands import yardstick
 
 
 def test_prints_a_table_and_saves_tables_and_picture(tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(measuring, "SPEEDS", ((0.25, 0.25),))
+    monkeypatch.setattr(yardstick, "SPEEDS", ((0.25, 0.25),))
     folder = tmp_path / "there"
     assert main(["yardstick", "--pairs", "1", "--cells", "64", "-o", str(folder)]) == 0
     rows = [line.split()[:3] for line in capsys.readouterr().out.splitlines() if "0.25/" in line]

@@ -1,6 +1,7 @@
 """The command line: parse, call, print.
 
-The commands import the rooms that they need when they run, so that `covey --help` answers at once.
+Read `app` (the commands, exit statuses), then `commands` (a file each), then `show` and `shared`.
+What is heavy is imported when a command needs it, so that `covey --help` answers at once.
 """
 
 from covey.cli.app import main

@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
 from cyclopts import App, CycloptsError
 
-from covey.cli.commands.chase import chase
-from covey.cli.commands.draw import draw
-from covey.cli.commands.plan import plan
-from covey.cli.commands.reproduce import reproduce
-from covey.cli.commands.simulate import simulate
-from covey.cli.commands.study import study
-from covey.cli.commands.worst_case import worst_case
-from covey.cli.commands.yardstick import yardstick
+import covey
 
 INPUT_ERROR = 2
 """Exit status after a mistake in a file or on the command line."""
@@ -41,15 +36,34 @@ Angles are radians, counter-clockwise from +x; lengths and times are in any cons
 Evaders are numbered from 0.
 """
 
+_COMMANDS = (
+    "plan",
+    "simulate",
+    "worst_case",
+    "draw",
+    "study",
+    "reproduce",
+    "yardstick",
+    "chase",
+)
+"""The files in `commands`, and the function in each, in the order of `covey --help`."""
+
+
+def _help_of(command: str) -> str | None:
+    """Return the docstring of a command's function, without an import of the file.
+
+    cyclopts shows its first line in `covey --help`, and all of it in the command's own help.
+    """
+    source = (Path(__file__).parent / "commands" / f"{command}.py").read_text(encoding="utf-8")
+    functions = [each for each in ast.parse(source).body if isinstance(each, ast.FunctionDef)]
+    return next(ast.get_docstring(each) for each in functions if each.name == command)
+
+
 app = App(name="covey", help=_HELP, help_format="markdown", suppress_keyboard_interrupt=False)
-app.command(plan, sort_key=1)
-app.command(simulate, sort_key=2)
-app.command(worst_case, sort_key=3)
-app.command(draw, sort_key=4)
-app.command(study, sort_key=5)
-app.command(reproduce, sort_key=6)
-app.command(yardstick, sort_key=7)
-app.command(chase, sort_key=8)
+for _position, _command in enumerate(_COMMANDS):
+    app.command(
+        f"covey.cli.commands.{_command}:{_command}", help=_help_of(_command), sort_key=_position
+    )
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -76,10 +90,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except OSError as error:
         return _failed(f"{error.filename}: {error.strerror}" if error.filename else str(error))
     except ValueError as error:
-        # Late, as it brings NumPy, and `--help` can do without.
-        from covey.model import InputError
-
-        if not isinstance(error, InputError):
+        if not isinstance(error, covey.InputError):
             raise
         return _failed(str(error))
     except KeyboardInterrupt:
@@ -99,9 +110,9 @@ def _help_command(error: CycloptsError) -> str:
 
 
 def _reader_is_gone() -> int:
-    """Leave quietly when whoever read the output has closed it, as `head` does.
+    """Return status 1, without a message, after the reader of the output closed it as `head` does.
 
-    Status 1 is what rich leaves with where it is the one to notice.
+    Where rich notices the closed output first, rich ends the program with the same status.
     """
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return 1

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import importlib.util
 from typing import Annotated
 
 from cyclopts import Parameter
+
+import covey
 
 
 def chase(
@@ -28,18 +31,15 @@ def chase(
 
         covey chase
     """
-    from importlib.util import find_spec
-
-    from covey.model import InputError
-
-    missing = [name for name in ("starlette", "uvicorn", "websockets") if find_spec(name) is None]
+    needed = ("starlette", "uvicorn", "websockets")
+    missing = [name for name in needed if importlib.util.find_spec(name) is None]
     if missing:
-        raise InputError(
+        raise covey.InputError(
             f"covey chase needs {' and '.join(missing)}, which comes with the extra `web`: "
             "pip install 'covey[web]'"
         )
     if not 0 <= port < 2**16:
-        raise InputError(f"--port: expected a whole number from 0 to 65535, got {port}")
-    from covey.web.server import serve
+        raise covey.InputError(f"--port: expected a whole number from 0 to 65535, got {port}")
+    from covey.web.server import serve  # only now, as it imports what may be missing
 
     serve(host, port, open_browser=browser)

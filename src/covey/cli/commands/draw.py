@@ -7,7 +7,12 @@ from typing import Annotated, Literal
 
 from cyclopts import Parameter
 
+import covey
+from covey import views
 from covey.cli.shared.arguments import Seed
+from covey.cli.shared.outputs import check_output, print_saved
+from covey.cli.shared.sources import read_scenario_or_game
+from covey.cli.show.film import save_film
 
 View = Literal["snapshots", "game", "plan", "animation"]
 
@@ -56,14 +61,61 @@ def draw(
         covey draw results/tournament --output tournament.png
     """
     if Path(file).is_dir():
+        # Only now, as it loads the compiler, which `covey draw --help` can do without.
         from covey.cli.show.comparison import draw_comparison
-        from covey.model import InputError
 
         if (view, record, seed) != (None, None, None):
-            raise InputError(f"{file}: --view, --record and --seed are for games; it is a folder")
+            raise covey.InputError(
+                f"{file}: --view, --record and --seed are for games; it is a folder"
+            )
         draw_comparison(Path(file), output)
         return
-    from covey.cli.shared.sources import read_scenario_or_game
-    from covey.cli.show.film import draw_view
+    source, chosen = read_scenario_or_game(file, seed), _checked_view(view, output)
+    if chosen == "plan":
+        _draw_plan(source, output, record)
+    else:
+        _draw_game(source, chosen, output, record)
 
-    draw_view(read_scenario_or_game(file, seed), view, output, record)
+
+def _checked_view(view: View | None, output: Path) -> View:
+    """Choose the view by the output's ending, and raise InputError if they don't fit."""
+    suffix = output.suffix.lower()
+    if view is None:
+        check_output(output, [*views.STILLS, *views.FILMS], "a picture or a film")
+    elif view == "animation":
+        check_output(output, views.FILMS, "the view animation")
+    else:
+        check_output(output, views.STILLS, f"the view {view}")
+    if suffix == ".mp4":
+        views.require_video()
+    return view or ("animation" if suffix in views.FILMS else "snapshots")
+
+
+def _draw_plan(source: covey.Scenario | covey.Game, output: Path, record: Path | None) -> None:
+    """Draw the first plan of a scenario."""
+    if record is not None:
+        raise covey.InputError("--record: the view plan plays no game; choose another --view")
+    if not isinstance(source, covey.Scenario):
+        raise covey.InputError(
+            "the view plan needs a scenario, got the record of a game; the view snapshots shows "
+            "with which plan it began"
+        )
+    figure = views.draw_plan(source.team, source.disk, source.plan())
+    print_saved(views.save(figure, output))
+
+
+def _draw_game(
+    source: covey.Scenario | covey.Game, view: View, output: Path, record: Path | None
+) -> None:
+    """Draw a game; a scenario is played first, and the record saved before it is drawn."""
+    if record is not None:
+        check_output(record, [".parquet"], "the record of a game")
+    game = source.simulate() if isinstance(source, covey.Scenario) else source
+    if record is not None:
+        covey.save_game(game, record)
+        print_saved(record)
+    if view == "animation":
+        save_film(game, output)
+    else:
+        figure = views.draw_game(game) if view == "game" else views.draw_snapshots(game)
+        print_saved(views.save(figure, output))

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import covey
 from covey.cli.shared.arguments import Json, ScenarioFile, Seed
+from covey.cli.shared.sources import read_scenario
+from covey.cli.shared.waiting import waiting
+from covey.cli.show.json_output import plan_as_json, print_json
+from covey.cli.show.tables import print_plan
 
 
 def plan(file: ScenarioFile, /, *, seed: Seed = None, json: Json = False) -> None:
@@ -18,19 +23,11 @@ def plan(file: ScenarioFile, /, *, seed: Seed = None, json: Json = False) -> Non
 
         covey plan fig3
     """
-    from covey.cli.shared.sources import read_scenario
-    from covey.cli.shared.waiting import waiting
-    from covey.model import LastCapture
-
     scenario = read_scenario(file, seed)
     with waiting("planning"):
-        bracket = scenario.bracket() if isinstance(scenario.objective, LastCapture) else None
+        bracket = scenario.bracket() if isinstance(scenario.objective, covey.LastCapture) else None
         found = scenario.plan() if bracket is None else bracket.plan
     if json:
-        from covey.cli.show.json_output import plan_as_json, print_json
-
         print_json(plan_as_json(scenario, found, bracket))
     else:
-        from covey.cli.show.tables import print_plan
-
         print_plan(scenario, found, bracket)

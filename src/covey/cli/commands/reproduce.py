@@ -1,11 +1,24 @@
-"""`covey reproduce`: the paper's figures and what they tell, from scratch."""
+"""`covey reproduce`: the paper's figures, from scratch, and a report on its claims."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 from cyclopts import Parameter
+
+import covey
+from covey import views
+from covey.cli.shared.outputs import check_folder, print_saved, save_picture, write_csv
+from covey.cli.shared.sources import read_scenario
+from covey.cli.show.film import save_film
+from covey.cli.show.study import print_study, run_with_progress
+from covey.cli.show.tables import print_game
+from covey.simulation.storage import whole_file
+from covey.studies import StudyResult, example_path, read_study
+from covey.studies.paper.figures import Gains, survival_ratios, turn_rate_gains
+from covey.studies.paper.report import report
 
 
 def reproduce(
@@ -33,10 +46,82 @@ def reproduce(
 
         covey reproduce --output results
     """
-    from covey.cli.shared.outputs import check_folder
-    from covey.cli.show.reproduction import reproduce_game, reproduce_studies, write_report
-
     check_folder(output)
-    game = reproduce_game(output)
-    fig4, fig5 = reproduce_studies(output, starts, workers)
-    write_report(output, game, fig4, fig5)
+    game = _reproduce_game(output)
+    fig4, fig5 = _reproduce_studies(output, starts, workers)
+    _write_report(output, game, fig4, fig5)
+
+
+def _reproduce_game(folder: Path) -> covey.Game:
+    """Draw Figs. 1 and 2, play and draw the game of Fig. 3."""
+    game = read_scenario("fig3", None).simulate()
+    print_game(game)
+    covey.save_game(game, folder / "fig3.parquet")
+    print_saved(folder / "fig3.parquet")
+    for name, figure in (
+        ("fig1", views.draw_control()),
+        ("fig2", views.draw_capture()),
+        ("fig3", views.draw_snapshots(game)),
+        ("fig3-game", views.draw_game(game)),
+    ):
+        save_picture(figure, folder, name)
+    save_film(game, folder / "fig3.gif")
+    return game
+
+
+def _reproduce_studies(
+    folder: Path, starts: int | None, workers: int | None
+) -> tuple[StudyResult, StudyResult]:
+    """Play the games of Figs. 4 and 5, and draw them."""
+    fig4 = _study("fig4", folder, starts, workers)
+    ratios = survival_ratios(fig4)
+    save_picture(views.draw_ratios(ratios), folder, "fig4")
+    write_csv(
+        folder / "fig4.csv",
+        ("team_size", "start", "hidden_over_visible"),
+        ((size, k, q) for size, values in ratios.items() for k, q in enumerate(values.tolist())),
+    )
+    fig5 = _study("fig5", folder, starts, workers)
+    gains = turn_rate_gains(fig5)
+    save_picture(_gains_figure(gains), folder, "fig5")
+    write_csv(
+        folder / "fig5.csv",
+        ("sensing", "team_size", "turn_rate", "ratio", "ratio_error", "mean", "mean_error"),
+        (
+            (word, size, rate, *each.ratios[size][k], *each.survival[size][k])
+            for word, each in gains.items()
+            for size in each.ratios
+            for k, rate in enumerate(each.turn_rates)
+        ),
+    )
+    return fig4, fig5
+
+
+def _write_report(folder: Path, game: covey.Game, fig4: StudyResult, fig5: StudyResult) -> None:
+    """Write the report."""
+    with whole_file(folder / "report.md") as file:
+        file.write(report(game, fig4, fig5).encode())
+    print_saved(folder / "report.md")
+
+
+def _study(name: str, folder: Path, starts: int | None, workers: int | None) -> StudyResult:
+    study = read_study(example_path(name))
+    if starts is not None:
+        study = replace(study, starts=starts)
+    result = run_with_progress(study, folder / name, workers)
+    print_study(result)
+    if result.failures:
+        raise covey.InputError(f"{name}: games are missing, so there is no figure")
+    return result
+
+
+def _gains_figure(gains: dict[str, Gains]) -> Any:
+    panels = {
+        f"{word} pursuer": {
+            size: views.Curve([e.value for e in row], [e.error for e in row])
+            for size, row in each.ratios.items()
+        }
+        for word, each in gains.items()
+    }
+    rates = next(iter(gains.values())).turn_rates
+    return views.draw_gains(rates, panels)

@@ -7,7 +7,13 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
+import covey
 from covey.cli.shared.arguments import Json, ScenarioFile, Seed
+from covey.cli.shared.outputs import check_output, print_saved
+from covey.cli.shared.sources import read_scenario
+from covey.cli.shared.waiting import waiting
+from covey.cli.show.json_output import game_as_json, print_json
+from covey.cli.show.tables import print_game
 
 
 def simulate(
@@ -35,24 +41,15 @@ def simulate(
 
         covey simulate fig3 --output game.parquet
     """
-    from covey.cli.shared.outputs import check_output, print_saved
-    from covey.cli.shared.sources import read_scenario
-    from covey.cli.shared.waiting import waiting
-    from covey.simulation import save_game
-
     scenario = read_scenario(file, seed)
     if output is not None:
         check_output(output, [".parquet"], "the record of a game")
     with waiting("playing"):
         game = scenario.simulate()
     if json:
-        from covey.cli.show.json_output import game_as_json, print_json
-
         print_json(game_as_json(game))
     else:
-        from covey.cli.show.tables import print_game
-
         print_game(game)
     if output is not None:
-        save_game(game, output)
+        covey.save_game(game, output)
         print_saved(output)

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 from cyclopts import Parameter
 
 from covey.cli.shared.arguments import Json
+from covey.cli.shared.sources import path_of
+from covey.cli.show.json_output import print_json
+from covey.cli.show.study import print_study, run_with_progress
+from covey.studies import StudyResult, example_names, example_path, read_study, summary
 
 
 def study(
@@ -50,16 +54,35 @@ def study(
 
         covey study fig4 --output results/fig4
     """
-    from covey.cli.show.study import follow, print_study, study_path
-
-    path = study_path(file)
-    result = follow(path, output or Path("results") / path.stem, workers, dask)
+    path = path_of(file, "study", {each: example_path(each) for each in example_names()})
+    folder = output or Path("results") / path.stem
+    result = run_with_progress(read_study(path), folder, workers, dask)
     if json:
-        from covey.cli.show.json_output import print_json
-        from covey.cli.show.study import study_as_json
-
-        print_json(study_as_json(result))
+        print_json(_as_json(result))
     else:
         print_study(result)
     if result.failures:
         raise SystemExit(1)
+
+
+def _as_json(result: StudyResult) -> dict[str, Any]:
+    """Return the cases of a study for programs."""
+    return {
+        "folder": str(result.folder),
+        "games": result.manifest["games"],
+        "complete": result.is_complete,
+        "failures": list(result.failures),
+        "cases": [
+            {
+                "case": line.case,
+                **line.settings,
+                "starts": line.starts,
+                "stopped": line.stopped,
+                "guarantee": line.guarantee,
+                "survival_time": line.survival._asdict(),
+                "relative": line.relative._asdict(),
+                **({} if line.value is None else {"value": line.value._asdict()}),
+            }
+            for line in summary(result)
+        ],
+    }

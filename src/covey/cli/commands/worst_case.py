@@ -7,6 +7,10 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from covey.cli.shared.arguments import Json, ScenarioFile, Seed
+from covey.cli.shared.sources import read_scenario
+from covey.cli.shared.waiting import waiting
+from covey.cli.show.json_output import print_json, worst_case_as_json
+from covey.cli.show.tables import print_worst_case
 
 
 def worst_case(
@@ -33,17 +37,10 @@ def worst_case(
 
         covey worst-case fig3
     """
-    from covey.cli.shared.sources import read_scenario
-    from covey.cli.shared.waiting import waiting
-
     scenario = read_scenario(file, seed)
     with waiting("searching all orders of capture"):
         found = scenario.worst_case(delays or [0.0])
     if json:
-        from covey.cli.show.json_output import print_json, worst_case_as_json
-
         print_json(worst_case_as_json(found))
     else:
-        from covey.cli.show.tables import print_worst_case
-
         print_worst_case(found)

@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Annotated
 
+import numpy as np
 from cyclopts import Parameter
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.table import Table
+
+from covey import views
+from covey.cli.shared.outputs import check_folder, save_picture, write_csv
+from covey.model.validation import whole_number
+from covey.studies.analysis.yardstick import SPEEDS, Change, Score, Yardstick, measure
 
 
 def yardstick(
@@ -30,10 +40,60 @@ def yardstick(
 
         covey yardstick --pairs 5 --cells 64
     """
-    from covey.cli.shared.outputs import check_folder
-    from covey.cli.show.measuring import measure_all, print_yardstick, save_yardstick
-
     check_folder(output)
-    measured = measure_all(pairs, cells, seed)
-    print_yardstick(measured)
-    save_yardstick(measured, output)
+    measured = _measure_all(pairs, cells, seed)
+    _print(measured)
+    _save(measured, output)
+
+
+def _measure_all(pairs: int, cells: int, seed: int) -> list[Yardstick]:
+    """Measure at all speeds, and say at which."""
+    whole_number("pairs", pairs, low=1)
+    whole_number("cells", cells, low=64)
+    measured = []
+    for speeds in SPEEDS:
+        print(f"speeds {_speeds(*speeds)}", file=sys.stderr, flush=True)
+        measured.append(measure(speeds, pairs=pairs, cells=cells, seed=seed))
+    return measured
+
+
+def _print(measured: list[Yardstick]) -> None:
+    """Print survival times over the value, and by how much the finest grid changed the value."""
+    table = Table(box=SIMPLE_HEAD, pad_edge=False)
+    for head in ("speeds", "pairs", "evaders", "mean", "least", "most", "known to"):
+        table.add_column(head, justify="right", no_wrap=True)
+    for game in measured:
+        changes = {change.pairs: change for change in game.changes}
+        for (speeds, pairs, evaders), shares in _shares(game.scores).items():
+            known = f"{100 * changes[pairs].mean:.1g} %"
+            figures = (np.mean(shares), np.min(shares), np.max(shares))
+            table.add_row(speeds, pairs, evaders, *(f"{each:.4f}" for each in figures), known)
+    console = Console(highlight=False)
+    console.print("survival time over the true value; by how much, on average, that is known:")
+    console.print(table)
+
+
+def _save(measured: list[Yardstick], folder: Path) -> None:
+    """Save every game, the changes from grid to grid, and the picture."""
+    scores = [score for each in measured for score in each.scores]
+    write_csv(folder / "yardstick.csv", Score._fields, scores)
+    changes = [change for each in measured for change in each.changes]
+    write_csv(folder / "convergence.csv", Change._fields, changes)
+    panels: dict[str, dict[str, dict[str, views.Closeness]]] = {}
+    for (speeds, pairs, evaders), shares in _shares(scores).items():
+        found = views.Closeness(float(np.mean(shares)), float(np.min(shares)))
+        panels.setdefault(f"{pairs} pairs", {}).setdefault(evaders, {})[speeds] = found
+    save_picture(views.draw_closeness(panels), folder, "yardstick")
+
+
+def _shares(scores: list[Score]) -> dict[tuple[str, str, str], list[float]]:
+    """Return survival times over the value, by speeds, kind of pairs and strategy."""
+    shares: dict[tuple[str, str, str], list[float]] = {}
+    for score in scores:
+        case = _speeds(score.speed_1, score.speed_2), score.pairs, score.evaders
+        shares.setdefault(case, []).append(score.survival_time / score.value)
+    return shares
+
+
+def _speeds(speed_1: float, speed_2: float) -> str:
+    return f"{speed_1:g}/{speed_2:g}"

@@ -1,1 +1,5 @@
-"""What several commands share: arguments, sources, outputs."""
+"""What commands share before they print.
+
+Read `arguments` (options of several commands), `sources` (what FILE may be), `outputs` (files to
+be written), and `waiting` (what a terminal shows meanwhile).
+"""

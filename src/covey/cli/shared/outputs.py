@@ -1,4 +1,4 @@
-"""Files to be written: looked at before the work begins, so that none is done in vain."""
+"""Files to be written: checked before the work begins, so that no work is lost."""
 
 from __future__ import annotations
 
@@ -9,17 +9,19 @@ import os
 import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+from typing import Any
+
+import covey
+from covey import views
 
 
 def check_output(path: Path, endings: Sequence[str], what: str) -> None:
-    """Raise InputError unless `path` ends as `what` must, OSError if it can't be written."""
-    from covey.model import InputError
-
+    """Raise InputError unless `path` ends in one of `endings`, OSError if it can't be written."""
     if path.suffix.lower() not in endings:
         wanted = " or ".join([", ".join(endings[:-1]), endings[-1]] if endings[1:] else endings)
-        raise InputError(f"{path}: expected a name that ends in {wanted} for {what}")
+        raise covey.InputError(f"{path}: expected a name that ends in {wanted} for {what}")
     if path.is_dir():
-        raise InputError(f"{path}: expected the name of a file, got a folder")
+        raise covey.InputError(f"{path}: expected the name of a file, got a folder")
     check_folder(path.parent)
 
 
@@ -36,7 +38,7 @@ def check_folder(folder: Path) -> None:
 
 def write_csv(path: Path, heads: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
     """Write a table, and say where it is."""
-    from covey.simulation.storage import whole_file
+    from covey.simulation.storage import whole_file  # only now, as it loads NumPy
 
     text = io.StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
@@ -47,6 +49,13 @@ def write_csv(path: Path, heads: Sequence[str], rows: Iterable[Sequence[object]]
     print_saved(path)
 
 
+def save_picture(figure: Any, folder: Path, name: str) -> None:
+    """Save a picture in every format, and say where the first file is."""
+    for ending in views.STILLS:
+        views.save(figure, folder / f"{name}{ending}")
+    print_saved(folder / f"{name}{views.STILLS[0]}")
+
+
 def print_saved(path: Path) -> None:
-    """Say where a file is; on standard error, where it isn't in the way of JSON."""
+    """Say where a file is, on standard error: standard output may be JSON."""
     print(f"saved {path}", file=sys.stderr)

@@ -7,8 +7,8 @@ from rich.status import Status
 
 
 def waiting(what: str) -> Status:
-    """Show that something is going on until the block ends; elsewhere than in a terminal, nothing.
+    """Show in a terminal, until the block ends, what is being computed; print nothing elsewhere.
 
-    Up to a team of eight there is hardly time to read it; one of twenty plans for a minute or two.
+    A team of up to eight plans faster than one can read it; a team of twenty takes minutes.
     """
     return Console(stderr=True).status(f"{what} …")

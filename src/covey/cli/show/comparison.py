@@ -1,4 +1,4 @@
-"""Scores of a study on the screen, a table for each of their groups; and their picture."""
+"""The scores of a study: a table on the screen for each group, and a picture."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
 
+import covey
+from covey import views
 from covey.cli.shared.outputs import check_output, print_saved
-from covey.model import InputError
-from covey.studies import load_study
 from covey.studies.analysis.comparison import comparison
 from covey.studies.analysis.scores import Comparison, Score
 
 _WIDEST = 36
-"""Letters of a name in one line."""
+"""Letters of a row's name in one line."""
 
 
 def print_comparison(console: Console, compared: Comparison) -> None:
-    """Print the means over the team sizes, relative to the first of the kind."""
+    """Print the means over the team sizes, relative to the first row of each group."""
     overall = [score for score in compared.scores if score.team_size is None]
     for group in dict.fromkeys(score.group for score in overall):
         chosen = [score for score in overall if score.group == group]
@@ -54,25 +54,21 @@ def _cell(score: Score) -> str:
 
 
 def draw_comparison(folder: Path, output: Path) -> None:
-    """Draw the picture of the scores of a study whose results are in a folder."""
-    from covey import views
-    from covey.views.charts.comparison import Ratio
-    from covey.views.kit.saving import STILLS
-
-    check_output(output, STILLS, "a picture")
-    compared = comparison(load_study(folder))
+    """Draw the scores of the study whose results are in a folder."""
+    check_output(output, views.STILLS, "a picture")
+    compared = comparison(covey.load_study(folder))
     if compared is None:
-        raise InputError(
+        raise covey.InputError(
             f"{folder}: expected a study of several teams, or several objectives, in which beside "
             "them only team sizes, pursuers and sensing vary; there is no picture of any other"
         )
     ratios = [
-        Ratio(each.group, each.column, each.row, each.team_size, *each.relative)
+        views.Ratio(each.group, each.column, each.row, each.team_size, *each.relative)
         for each in compared.scores
         if each.team_size is not None and each.row != compared.base and each.starts > 1
     ]
     if not ratios:
-        raise InputError(
+        raise covey.InputError(
             f"{folder}: expected games from at least two starts that came to their end"
         )
     print_saved(views.save(views.draw_comparison(ratios, compared.label), output))

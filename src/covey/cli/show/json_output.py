@@ -5,25 +5,15 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import asdict
-from typing import Any, NamedTuple
+from typing import Any
 
-from covey.bounds import Bracket
-from covey.planning import Plan
-from covey.players import WorstCase
-from covey.scenarios import Scenario
-from covey.simulation import Game
+import covey
 
 
-class Capture(NamedTuple):
-    """Who was captured, when, and where."""
-
-    evader: int
-    time: float
-    place: list[float]
-
-
-def plan_as_json(scenario: Scenario, plan: Plan, bracket: Bracket | None) -> dict[str, Any]:
-    """Return a plan, angles in radians, and a bound on what any team can be sure of."""
+def plan_as_json(
+    scenario: covey.Scenario, plan: covey.Plan, bracket: covey.Bracket | None
+) -> dict[str, Any]:
+    """Return a plan, angles in radians, and a time that no team could be sure to exceed."""
     bound: dict[str, Any] = {}
     if bracket is not None:
         bound = {"upper_bound": bracket.upper, "announced_sequence": list(bracket.sequence)}
@@ -43,7 +33,7 @@ def plan_as_json(scenario: Scenario, plan: Plan, bracket: Bracket | None) -> dic
     }
 
 
-def game_as_json(game: Game) -> dict[str, Any]:
+def game_as_json(game: covey.Game) -> dict[str, Any]:
     """Return what happened in a game."""
     return {
         "guarantee": game.guarantee,
@@ -52,7 +42,7 @@ def game_as_json(game: Game) -> dict[str, Any]:
         "planned_value": game.planned_value,
         "value": game.value,
         "status": str(game.status),
-        "captures": [capture._asdict() for capture in captures(game)],
+        "captures": _captures(game),
         "sensing": game.sensing,
         "update_time": game.update_time,
         "seed": game.seed,
@@ -60,17 +50,18 @@ def game_as_json(game: Game) -> dict[str, Any]:
     }
 
 
-def worst_case_as_json(worst: WorstCase) -> dict[str, Any]:
+def worst_case_as_json(worst: covey.WorstCase) -> dict[str, Any]:
     """Return the worst case, and over which pursuers it was taken."""
     return {**asdict(worst), "scope": str(worst.scope)}
 
 
-def captures(game: Game) -> list[Capture]:
-    """Return the captures in their order."""
+def _captures(game: covey.Game) -> list[dict[str, Any]]:
+    """Return who was captured, when, and where, in the order of capture."""
     order = game.capture_sequence.tolist()
     # A captured evader stays where it was captured.
-    places = game.evader_positions[-1, order].tolist()
-    return list(map(Capture, order, game.capture_times.tolist(), places))
+    positions = game.evader_positions[-1, order].tolist()
+    rows = zip(order, game.capture_times.tolist(), positions, strict=True)
+    return [{"evader": evader, "time": time, "place": position} for evader, time, position in rows]
 
 
 def print_json(report: dict[str, Any]) -> None:

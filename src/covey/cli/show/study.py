@@ -1,10 +1,9 @@
-"""Studies on the screen: how far a run is, what came of it, what failed."""
+"""Studies on the screen: how far a run is, its results, and what failed."""
 
 from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import Any
 
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
@@ -19,34 +18,18 @@ from rich.progress import (
 from rich.table import Table
 
 from covey.cli.shared.outputs import print_saved
-from covey.cli.shared.sources import path_of
 from covey.cli.show.comparison import print_comparison
-from covey.studies import (
-    Line,
-    Study,
-    StudyResult,
-    example_names,
-    example_path,
-    read_study,
-    run_study,
-    summary,
-)
+from covey.studies import Line, Study, StudyResult, run_study, summary
 from covey.studies.analysis.comparison import comparison
 from covey.studies.statistics import Estimate
 
 _HEADINGS = {"team_size": "team", "turn_rate": "turn rate", "update_time": "update time"}
 
 
-def study_path(name: str) -> Path:
-    """Return the file of a study, given by its path or by the name of one that comes with covey."""
-    return path_of(name, "study", {each: example_path(each) for each in example_names()})
-
-
-def follow(
-    study: Study | Path, folder: Path, workers: int | None = None, dask: str | None = None
+def run_with_progress(
+    study: Study, folder: Path, workers: int | None, dask: str | None = None
 ) -> StudyResult:
-    """Run a study with a bar that shows how far it is, and for how long it will go on."""
-    chosen = study if isinstance(study, Study) else read_study(study)
+    """Run a study with a bar that shows how far it is, and the time that is left."""
     columns = (
         TextColumn("{task.description}"),
         BarColumn(),
@@ -60,19 +43,18 @@ def follow(
     with Progress(
         *columns, console=console, transient=True, disable=not console.is_terminal
     ) as bar:
-        task = bar.add_task(folder.name, total=chosen.games, start=False)
+        task = bar.add_task(folder.name, total=study.games, start=False)
 
         def progress(done: int, total: int) -> None:
-            # What earlier runs have done says nothing about the speed of this one: the clock
-            # starts after it.
+            # Only now starts the clock: the games of earlier runs took no time in this one.
             bar.update(task, completed=done, total=total)
             bar.start_task(task)
 
-        return run_study(chosen, folder, workers=workers, dask=dask, progress=progress)
+        return run_study(study, folder, workers=workers, dask=dask, progress=progress)
 
 
 def print_study(result: StudyResult) -> None:
-    """Print a line for each case, or the tables of a comparison, and what is missing."""
+    """Print a line for each case, or the tables of a comparison, and which games are missing."""
     console = Console(highlight=False)
     compared = comparison(result)
     if compared is not None:
@@ -114,35 +96,12 @@ def _row(line: Line) -> list[str]:
     return [
         *(f"{v:.4g}" if isinstance(v, float) else str(v) for v in line.settings.values()),
         f"{line.guarantee:.4f}",
-        estimate(line.survival),
-        estimate(line.relative) if line.relative.error > 0.0 else f"{line.relative.value:.4f}",
-        *([] if line.value is None else [estimate(line.value)]),
+        _estimate(line.survival),
+        _estimate(line.relative) if line.relative.error > 0.0 else f"{line.relative.value:.4f}",
+        *([] if line.value is None else [_estimate(line.value)]),
     ]
 
 
-def estimate(value: Estimate) -> str:
+def _estimate(value: Estimate) -> str:
     """Write a number with its uncertainty."""
     return f"{value.value:.4f} ± {value.error:.4f}"
-
-
-def study_as_json(result: StudyResult) -> dict[str, Any]:
-    """Return the lines of a study for programs."""
-    return {
-        "folder": str(result.folder),
-        "games": result.manifest["games"],
-        "complete": result.is_complete,
-        "failures": list(result.failures),
-        "cases": [
-            {
-                "case": line.case,
-                **line.settings,
-                "starts": line.starts,
-                "stopped": line.stopped,
-                "guarantee": line.guarantee,
-                "survival_time": line.survival._asdict(),
-                "relative": line.relative._asdict(),
-                **({} if line.value is None else {"value": line.value._asdict()}),
-            }
-            for line in summary(result)
-        ],
-    }

@@ -1,4 +1,4 @@
-"""What a person sees of a plan or a game: a few lines and a table."""
+"""Plans, games and worst cases on the screen: a few lines and a table."""
 
 from __future__ import annotations
 
@@ -10,19 +10,13 @@ from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
 
-from covey.bounds import Bracket
-from covey.cli.show.json_output import captures
-from covey.model import ExpectedSurvival
-from covey.planning import Plan
-from covey.players import WorstCase
-from covey.scenarios import Scenario
-from covey.simulation import Game
+import covey
 
 _MOST_SEQUENCES = 6
 
 
-def print_plan(scenario: Scenario, plan: Plan, bracket: Bracket | None) -> None:
-    """Print what a plan is worth, what bounds it if that is known, and where each evader heads."""
+def print_plan(scenario: covey.Scenario, plan: covey.Plan, bracket: covey.Bracket | None) -> None:
+    """Print a plan's value, the bound on any team's value if it is known, and all headings."""
     console = _console()
     if bracket is not None:
         console.print(
@@ -47,22 +41,21 @@ def print_plan(scenario: Scenario, plan: Plan, bracket: Bracket | None) -> None:
     console.print(table)
 
 
-def print_game(game: Game) -> None:
+def print_game(game: covey.Game) -> None:
     """Print what was guaranteed, how long the team survived, and its captures."""
     console = _console()
-    console.print(_facts(outcome(game)))
-    console.print(capture_table(game))
+    console.print(_facts(_outcome(game)))
+    console.print(_capture_table(game))
 
 
-def print_worst_case(worst: WorstCase) -> None:
-    """Print the least survival time, what it was taken over, and the captures that lead to it."""
-    console, least = _console(), ("least survival time", number(worst.value))
-    if worst.value != worst.survival_time:
-        least = ("least sum of survival times", number(worst.value))
+def print_worst_case(worst: covey.WorstCase) -> None:
+    """Print the least survival time, over which pursuers it was taken, and its captures."""
+    console = _console()
+    quantity = "survival time" if worst.value == worst.survival_time else "sum of survival times"
     console.print(
         _facts(
             [
-                least,
+                (f"least {quantity}", number(worst.value)),
                 ("over", str(worst.scope)),
                 ("played", f"{worst.flights} flights from one capture to the next"),
             ]
@@ -75,24 +68,24 @@ def print_worst_case(worst: WorstCase) -> None:
     console.print(table)
 
 
-def outcome(game: Game) -> list[tuple[str, str]]:
+def _outcome(game: covey.Game) -> list[tuple[str, str]]:
     """Return the facts of a game, by their names."""
-    survived, promised = number(game.survival_time), game.objective["name"] == "last-capture"
+    survived, guaranteed = number(game.survival_time), game.objective["name"] == "last-capture"
     if math.isinf(game.survival_time):
         survived = f"more than {number(float(game.times[-1]))}: {game.status}"
-    elif game.guarantee > 0.0 and promised:
+    elif game.guarantee > 0.0 and guaranteed:
         survived += f"  ({game.survival_time / game.guarantee:.3g} times the guarantee)"
     return [
         ("pursuer", f"{game.sensing}, {_strategy(game, 'pursuer')}"),
         ("evaders", f"{len(game.team)}, {_strategy(game, 'evaders')}"),
         *_objective(game.objective, number(game.planned_value), number(game.value)),
-        *([("guaranteed survival time", number(game.guarantee))] if promised else []),
+        *([("guaranteed survival time", number(game.guarantee))] if guaranteed else []),
         ("survival time", survived),
     ]
 
 
 def _objective(objective: Mapping[str, Any], planned: str, value: str) -> list[tuple[str, str]]:
-    """Return what a plan made of an objective, and a game, unless it is the last capture."""
+    """Return the planned value of an objective, and a game's; nothing for the last capture."""
     if objective["name"] == "last-capture":
         return []
     expected = objective["name"] == "expected-survival"
@@ -101,14 +94,15 @@ def _objective(objective: Mapping[str, Any], planned: str, value: str) -> list[t
     return [*facts, (words, value)] if value else facts
 
 
-def capture_table(game: Game) -> Table:
+def _capture_table(game: covey.Game) -> Table:
     """Return the captures in their order: who, when, where."""
     table = _table("capture", "evader", "time", "place")
-    caught = captures(game)
-    times = aligned([capture.time for capture in caught], 6)
-    places = points([capture.place for capture in caught])
-    for k, (capture, time, place) in enumerate(zip(caught, times, places, strict=True), start=1):
-        table.add_row(str(k), str(capture.evader), time, place)
+    order = game.capture_sequence.tolist()
+    times = aligned(game.capture_times.tolist(), 6)
+    # A captured evader stays where it was captured.
+    positions = points(game.evader_positions[-1, order].tolist())
+    for k, (i, time, position) in enumerate(zip(order, times, positions, strict=True), start=1):
+        table.add_row(str(k), str(i), time, position)
     return table
 
 
@@ -130,23 +124,24 @@ def aligned(values: Sequence[float], digits: int) -> list[str]:
     return [f"{value:.{decimals}f}" for value in values]
 
 
-def points(places: Sequence[Sequence[float]]) -> list[str]:
+def points(positions: Sequence[Sequence[float]]) -> list[str]:
     """Write points, x under x and y under y."""
-    columns = [aligned([place[axis] for place in places], 4) for axis in (0, 1)]
+    columns = [aligned([position[axis] for position in positions], 4) for axis in (0, 1)]
     widths = [max((len(text) for text in column), default=0) for column in columns]
     return [f"({x:>{widths[0]}}, {y:>{widths[1]}})" for x, y in zip(*columns, strict=True)]
 
 
-def _sequences(plan: Plan) -> list[tuple[str, str]]:
+def _sequences(plan: covey.Plan) -> list[tuple[str, str]]:
     sequences = plan.critical_sequences
-    name = "sequences" if isinstance(plan.objective, ExpectedSurvival) else "critical sequences"
+    expected = isinstance(plan.objective, covey.ExpectedSurvival)
+    name = "sequences" if expected else "critical sequences"
     shown = [" ".join(map(str, sequence)) for sequence in sequences[:_MOST_SEQUENCES]]
     if len(sequences) > _MOST_SEQUENCES:
         shown.append(f"and {len(sequences) - _MOST_SEQUENCES} more")
     return [("" if k else name, text) for k, text in enumerate(shown)]
 
 
-def _strategy(game: Game, side: str) -> str:
+def _strategy(game: covey.Game, side: str) -> str:
     strategy = dict(game.strategies[side])
     name = str(strategy.pop("name"))
     parameters = ", ".join(f"{key} {value}" for key, value in strategy.items())

@@ -1,0 +1,19 @@
+"""The public names of this room, each with the file that it comes from."""
+
+from .charts.capture import draw_capture as draw_capture
+from .charts.closeness import Closeness as Closeness
+from .charts.closeness import draw_closeness as draw_closeness
+from .charts.comparison import Ratio as Ratio
+from .charts.comparison import draw_comparison as draw_comparison
+from .charts.control import draw_control as draw_control
+from .charts.gains import Curve as Curve
+from .charts.gains import draw_gains as draw_gains
+from .charts.ratios import draw_ratios as draw_ratios
+from .film.animation import animate as animate
+from .film.mp4 import require_video as require_video
+from .games.game import draw_game as draw_game
+from .games.plan import draw_plan as draw_plan
+from .games.snapshots import draw_snapshots as draw_snapshots
+from .kit.saving import FILMS as FILMS
+from .kit.saving import STILLS as STILLS
+from .kit.saving import save as save
