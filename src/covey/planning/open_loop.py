@@ -15,7 +15,7 @@ from covey.kernels.maximum.sqp import CONVERGED, STALLED, STEPS_USED_UP
 from covey.kernels.maximum.working_set import Columns, make_columns
 from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, PursuerDisk, Team
 from covey.model.angles import wrap_angle
-from covey.model.validation import Floats, frozen_array, number, whole_number
+from covey.model.validation import Floats, frozen_array, number, read_only, whole_number
 from covey.planning.compiled_objective import aim_of, checked_objective
 from covey.planning.guarantee import check_game, guaranteed_survival
 from covey.planning.multistart import Multistart
@@ -190,8 +190,8 @@ def _plan_of(
     else:
         held = _held(best.columns, best.values, best.value)
     return Plan(
-        turns=_read_only(best.turns),
-        goal_headings=_read_only(wrap_angle(team.headings + best.turns)),
+        turns=read_only(best.turns),
+        goal_headings=read_only(wrap_angle(team.headings + best.turns)),
         survival_time=survival_time,
         objective=objective,
         value=best.value,
@@ -259,8 +259,3 @@ def _held(columns: Columns, values: Floats, value: float) -> list[tuple[tuple[in
     )
     latest = value * (1.0 + CRITICAL_WITHIN)
     return [(sequence, weight) for each, sequence, weight in sorted(rows) if each <= latest]
-
-
-def _read_only(array: Floats) -> Floats:
-    array.flags.writeable = False
-    return array

@@ -9,7 +9,6 @@ import pytest
 
 import covey
 from covey.views import draw_snapshots
-from covey.views.games.flight import subteam
 from covey.views.games.snapshot import moment_at
 from views.drawn_artists import bearing_of_marker, disks, line, points
 from views.flown_games import FIRST_CAPTURE, SECOND_CAPTURE, game_by_hand, simulated, turning_evader
@@ -57,7 +56,7 @@ def test_predicted_captures_keep_the_times_of_algorithm_1(sensing, capture_radiu
         living = moment.sequence
         assert sorted(living) == np.flatnonzero(moment.alive).tolist()
         times = covey.capture_times(
-            subteam(moment.team, living), moment.disk, moment.turns[living], range(len(living))
+            moment.team.take(living), moment.disk, moment.turns[living], range(len(living))
         )
         assert moment.time + times[-1] == pytest.approx(moment.guaranteed, rel=1e-9)
         (panel,) = draw_snapshots(game, [moment.time]).axes

@@ -10,8 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from covey.model import Team
-from covey.model.angles import wrap_angle
-from covey.views.charts.single_turn import Turning, one_turning, put_angle, put_arrow, towards
+from covey.model.angles import unit_vectors, wrap_angle
+from covey.views.charts.single_turn import Turning, one_turning, put_angle, put_arrow
 from covey.views.kit import style
 from covey.views.kit.layout import add_axes, aim, camera_around, new_figure
 from covey.views.kit.markers import DOTS, EVADERS, FLOWN, put
@@ -93,8 +93,12 @@ def _draw_path(axes: Axes, turning: Turning) -> None:
     line = turning.path(_SHOWN * turning.turn_end)
     start, bend = turning.at(0.0), turning.at(turning.turn_end)
     arrow = 0.4 * float(np.ptp(line, axis=0).max())
-    tips = [start + arrow * towards(angle) for angle in (turning.heading, 0.0)]
-    aim(axes, camera_around(joined([line, *tips, bend + arrow * towards(0.0)]), 0.1), ticks=False)
+    tips = [start + arrow * unit_vectors(angle) for angle in (turning.heading, 0.0)]
+    aim(
+        axes,
+        camera_around(joined([line, *tips, bend + arrow * unit_vectors(0.0)]), 0.1),
+        ticks=False,
+    )
     center = turning.center
     axes.plot(*np.array([start, center, bend]).T, gid="guides", **_GUIDE)
     put(axes, FLOWN, line)
