@@ -110,6 +110,22 @@ def permutation(name: str, value: object, count: int) -> Ints:
     return np.ascontiguousarray(array, dtype=np.int64)
 
 
+def checked_sequence(name: str, sequence: Sequence[int]) -> tuple[int, ...]:
+    """Return a sequence that holds each of 0..N-1 once; else raise InputError."""
+    order = listed(name, sequence)
+    if not order:
+        raise InputError(f"{name}: expected each evader once, got nobody")
+    return tuple(permutation(name, order, len(order)).tolist())
+
+
+def require_whole_team(name: str, sequence: tuple[int, ...], count: int) -> None:
+    """Raise InputError unless the sequence is one of `count` evaders."""
+    if len(sequence) != count:
+        raise InputError(
+            f"{name}: expected a sequence of all {count} evaders, got {list(sequence)}"
+        )
+
+
 def _numbers(name: str, value: object) -> Floats:
     try:
         array: npt.NDArray[Any] = np.array(value)

@@ -9,26 +9,10 @@ from typing import Any
 import numpy as np
 
 from covey.bounds.announced_sequence import best_announcement
-from covey.model import InputError, PursuerDisk, Team
+from covey.model import PursuerDisk, Team
 from covey.model.objectives import checked_draws, described_draws, draws_of
-from covey.model.validation import Ints, listed, permutation
+from covey.model.validation import Ints, checked_sequence, require_whole_team
 from covey.players.pursuers.commitment import KeepsSequence
-
-
-def checked_sequence(name: str, sequence: Sequence[int]) -> tuple[int, ...]:
-    """Return a sequence that holds each of 0..N-1 once; else raise InputError."""
-    order = listed(name, sequence)
-    if not order:
-        raise InputError(f"{name}: expected each evader once, got nobody")
-    return tuple(permutation(name, order, len(order)).tolist())
-
-
-def require_whole_team(name: str, sequence: tuple[int, ...], count: int) -> None:
-    """Raise InputError unless the sequence is one of `count` evaders."""
-    if len(sequence) != count:
-        raise InputError(
-            f"{name}: expected a sequence of all {count} evaders, got {list(sequence)}"
-        )
 
 
 @dataclass(frozen=True)
