@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from covey.kernels.play.game import Pages
-from covey.model import PursuerDisk, Team, measured
+from covey.model import PursuerDisk, Team, objective_value
 from covey.model.validation import Floats, Ints
 from covey.planning.guarantee import value_of_plan
 from covey.simulation.record import Game, GameStatus
@@ -56,7 +56,7 @@ def assemble(
         guarantee=float(pages.guarantees[0]),
         survival_time=float(times[-1]) if done else math.inf,
         planned_value=value_of_plan(team, disk, pages.evaders[0, :, 3], objective),
-        value=measured(objective, times) if done else math.inf,
+        value=objective_value(objective, times) if done else math.inf,
         capture_sequence=order,
         capture_times=times,
         times=pages.times,

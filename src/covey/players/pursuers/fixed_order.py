@@ -10,7 +10,7 @@ import numpy as np
 
 from covey.bounds.announced_sequence import best_announcement
 from covey.model import PursuerDisk, Team
-from covey.model.objectives import checked_draws, described_draws, draws_of
+from covey.model.objectives import checked_distribution, describe_distribution, distribution_of
 from covey.model.validation import Ints, checked_sequence, require_whole_team
 from covey.players.pursuers.commitment import KeepsSequence
 
@@ -93,13 +93,13 @@ class RandomSequence(KeepsSequence):
         sequences: Sequence[Sequence[int]] | None = None,
         weights: Sequence[float] | None = None,
     ) -> None:
-        kept = checked_draws("RandomSequence", sequences, weights)
+        kept = checked_distribution("RandomSequence", sequences, weights)
         for name, value in zip(("sequences", "weights"), kept, strict=True):
             object.__setattr__(self, name, value)
 
     def describe(self) -> Mapping[str, Any]:
         """Return name and parameters, as a scenario file gives them."""
-        return {"name": "random-sequence", **described_draws(self.sequences, self.weights)}
+        return {"name": "random-sequence", **describe_distribution(self.sequences, self.weights)}
 
     def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:  # noqa: ARG002
         """Return the order that was drawn."""
@@ -107,6 +107,6 @@ class RandomSequence(KeepsSequence):
         generator = np.random.default_rng([seed, 1])
         if self.sequences is None:
             return generator.permutation(len(team))
-        draws = draws_of("RandomSequence", self.sequences, self.weights, len(team))
+        draws = distribution_of("RandomSequence", self.sequences, self.weights, len(team))
         drawn: Ints = generator.choice(draws.sequences, p=draws.probabilities)
         return drawn
