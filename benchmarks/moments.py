@@ -6,11 +6,11 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+from covey.kernels.play.replanning import replan
 
 import covey
 from covey.kernels.maximum.multistart import search_scratch
 from covey.kernels.maximum.working_set import Columns
-from covey.kernels.play.replanning import replan
 from covey.kernels.play.rules import NOBODY, Rules, announce, fly, initial_state, pursuit_from
 from covey.planning.compiled_objective import aim_of
 from covey.planning.multistart import MOST_STEPS

@@ -12,11 +12,11 @@ import time
 
 import numba
 import numpy as np
+from covey.kernels.play.replanning import replan
 
 import covey
 from covey.kernels.maximum.multistart import search, search_scratch
 from covey.kernels.maximum.working_set import copy_columns, make_columns
-from covey.kernels.play.replanning import replan
 from covey.planning.compiled_objective import aim_of
 from covey.planning.guarantee import pursuit_of
 from covey.planning.multistart import MOST_STEPS

@@ -1,4 +1,4 @@
-"""Angles: the same direction in [-π, π], and the shorter way to a goal heading."""
+"""Angles: in [-π, π], the shorter way to a goal heading, unit vectors, headings away."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import covey
-from covey.model import wrap_angle
+from covey.model.angles import away_from, unit_vectors, wrap_angle
 
 ROUNDING = 1e-15
 """Of an angle, relative to the larger of it and a circle."""
@@ -60,3 +60,29 @@ def test_turns_by_hand():
 def test_a_half_turn_is_made_to_the_right():
     turns = covey.turns_to(covey.Team(np.zeros((2, 2)), [0.0, 0.0]), [math.pi, -math.pi])
     assert turns.tolist() == [-math.pi, -math.pi]
+
+
+def test_unit_vectors_by_hand():
+    along = unit_vectors([0.0, math.pi / 2, -math.pi / 3])
+    assert along == pytest.approx(np.array([[1, 0], [0, 1], [0.5, -math.sqrt(0.75)]]), abs=1e-15)
+
+
+@pytest.mark.parametrize("shape", [(), (3,), (2, 3)])
+def test_unit_vectors_have_one_more_axis(shape):
+    assert unit_vectors(np.full(shape, 7.0)).shape == (*shape, 2)
+
+
+@given(st.lists(_any_angle, min_size=1, max_size=5))
+def test_unit_vectors_lead_away_at_their_angles(angles):
+    headings = away_from([0.0, 0.0], unit_vectors(angles))
+    assert np.abs(np.sin(0.5 * (headings - angles))).max() <= 1e-9
+
+
+def test_away_from_a_centre_by_hand():
+    headings = away_from([1.0, 2.0], [[2.0, 2.0], [1.0, 5.0], [0.0, 2.0], [0.0, 1.0], [1.0, 2.0]])
+    expected = [0.0, math.pi / 2, math.pi, -0.75 * math.pi, 0.0]
+    assert headings == pytest.approx(expected, rel=1e-15)
+
+
+def test_away_from_a_centre_at_one_position():
+    assert away_from([0.0, 0.0], [0.0, -3.0]) == -math.pi / 2

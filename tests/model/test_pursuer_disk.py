@@ -33,6 +33,28 @@ def test_nothing_about_it_can_be_changed():
         disk.radius = 1.0
 
 
+@pytest.mark.parametrize(
+    ("goal", "nearest"),
+    [((1.0, 7.0), (1.0, 4.0)), ((4.0, 6.0), (2.2, 3.6)), ((0.0, 1.0), (0.0, 1.0)),
+     ((1.0, 2.0), (1.0, 2.0)), ((-1.0, 2.0), (-1.0, 2.0))],
+)  # fmt: skip
+def test_nearest_point(goal, nearest):
+    """Outside on the rim, inside and on the rim the goal itself."""
+    disk = covey.PursuerDisk((1.0, 2.0), 2.0)
+    assert disk.nearest_point(np.array(goal)) == pytest.approx(nearest, rel=1e-15)
+
+
+def test_a_known_pursuer_is_its_own_nearest_point():
+    disk = covey.PursuerDisk((1.0, 2.0))
+    assert disk.nearest_point(np.array([-3.0, 5.0])).tolist() == [1.0, 2.0]
+
+
+def test_the_way_to_a_goal_ends_there():
+    disk = covey.PursuerDisk((1.0, 2.0), 9.0)
+    points = disk.towards(np.array([4.0, 6.0]), [0.0, 2.5, 5.0, 7.0])
+    assert points == pytest.approx(np.array([[1, 2], [2.5, 4], [4, 6], [4, 6]]), rel=1e-15)
+
+
 @pytest.mark.parametrize("speed", [0.0, 0.5, np.nextafter(2.0, 0.0)])
 def test_slower_evaders_are_fine(speed):
     covey.PursuerDisk(speed=2.0).require_faster_than(covey.Team([(0, 0)], [0], speed))

@@ -55,6 +55,12 @@ def test_nothing_about_it_can_be_changed(name):
         setattr(team, name, np.ones(2))
 
 
+def test_some_of_a_team_in_a_given_order():
+    team = covey.Team([(0, 1), (2, 3), (4, 5)], [6, 7, 8], [0.1, 0.2, 0.3], [1, 2, math.inf])
+    taken = team.take(np.array([2, 0]))
+    assert taken.as_rows().tolist() == [[4, 5, 8, 0.3, math.inf], [0, 1, 6, 0.1, 1]]
+
+
 def test_rows_hold_place_heading_speed_and_turn_rate():
     team = covey.Team([(1, 2), (3, 4)], [5, 6], [0.7, 0.8], [9, math.inf])
     assert team.as_rows().tolist() == [[1, 2, 5, 0.7, 9], [3, 4, 6, 0.8, math.inf]]

@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import numpy as np
-
 from covey.bounds.announced_sequence import best_announcement
 from covey.bounds.fixed_sequence import SequencePlan, plan_for_sequence
 from covey.bounds.polygon_bound import latest_capture
 from covey.model import PursuerDisk, Team
+from covey.model.angles import unit_vectors
 from covey.planning.open_loop import Plan, plan
 
 _MOVES = 8
@@ -107,10 +106,8 @@ def _from_best_place(
     for _ in range(_MOVES):
         first = announced.sequence[0]
         heading, time = announced.goal_headings[first], announced.capture_times[0]
-        flown = team.speeds[first] * time * np.array([np.cos(heading), np.sin(heading)])
-        off = team.positions[first] + flown - disk.center
-        share = min(1.0, disk.radius / max(float(np.hypot(*off)), disk.radius, 1e-300))
-        start = PursuerDisk(disk.center + share * off, 0.0, disk.speed, disk.capture_radius)
+        goal = team.positions[first] + team.speeds[first] * time * unit_vectors(heading)
+        start = PursuerDisk(disk.nearest_point(goal), 0.0, disk.speed, disk.capture_radius)
         point = PursuerDisk(start.center, 0.0, disk.speed)
         announced = plan_for_sequence(team, point, announced.sequence)
         if best is not None and announced.survival_time >= best[1].survival_time:

@@ -13,7 +13,7 @@ from covey.kernels.arrays import Pursuit
 from covey.kernels.maximum.fixed_sequence import latest_in_sequence
 from covey.model import PursuerDisk, Team
 from covey.model.angles import wrap_angle
-from covey.model.validation import Floats, Ints, permutation
+from covey.model.validation import Floats, Ints, permutation, read_only
 from covey.planning.guarantee import capture_times, pursuit_of
 
 _TURN_TOLERANCE = 1e-9
@@ -106,13 +106,11 @@ def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) ->
     found, settled = _latest(team, pursuit_of(disk), order)
     turns = np.where(np.isinf(team.turn_rates), wrap_angle(found), found)
     goals, times = wrap_angle(team.headings + turns), capture_times(team, disk, turns, order)
-    for array in (turns, goals, times):
-        array.flags.writeable = False
     return SequencePlan(
         sequence=tuple(order.tolist()),
-        turns=turns,
-        goal_headings=goals,
-        capture_times=times,
+        turns=read_only(turns),
+        goal_headings=read_only(goals),
+        capture_times=read_only(times),
         survival_time=float(times[-1]),
         status=SequenceStatus.CONVERGED if settled else SequenceStatus.STEPS_USED_UP,
     )

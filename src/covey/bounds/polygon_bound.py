@@ -14,12 +14,11 @@ import math
 import numpy as np
 
 from covey.bounds.fixed_sequence import SequencePlan
-from covey.kernels.capture.path import HEADING, PATH, SPEED, TURN_RATE, set_paths
 from covey.kernels.maximum.fixed_sequence import first_captures, next_captures
 from covey.model import PursuerDisk, Team
-from covey.model.angles import wrap_angle
+from covey.model.angles import unit_vectors, wrap_angle
 from covey.model.validation import Floats
-from covey.planning.guarantee import longest_game, pursuit_of
+from covey.planning.guarantee import longest_game, paths_of, pursuit_of
 
 _CLOSEST = 1e-6
 """Radians from the best heading to the next tangent; the bound errs by the square of it."""
@@ -67,19 +66,18 @@ def _latest_at_corners(
     before = np.empty(headings.shape, np.int64)
     if others:
         corners = headings.shape[1]
-        rows = np.repeat(team.as_rows(), corners, axis=0)
-        rows[:, HEADING], rows[:, TURN_RATE] = headings.ravel(), math.inf
-        rows[:, SPEED] *= stretch.ravel()
-        paths = np.empty((len(rows), PATH))
-        set_paths(rows, np.zeros(len(rows)), disk.speed, paths)
+        evader = np.repeat(np.arange(len(team)), corners)
+        speeds = team.speeds[evader] * stretch.ravel()
+        to_corners = Team(team.positions[evader], headings.ravel(), speeds, math.inf)
+        paths = paths_of(to_corners, disk, np.zeros(len(to_corners)))
         pursuit, times = pursuit_of(PursuerDisk(disk.center, 0.0, disk.speed)), np.empty(corners)
         first_captures(paths, pursuit, others[0], times)
         for previous, i in itertools.pairwise(others):
             earlier, times = times, np.empty(corners)
             next_captures(paths, pursuit, previous, i, earlier, times, before[i])
-        at = rows[others[-1] * corners :][:corners]
-        flown = at[:, SPEED] * times
-        places = at[:, :2] + flown[:, np.newaxis] * _units(at[:, HEADING])
+        before_last = to_corners.take(np.flatnonzero(evader == others[-1]))
+        flown = (before_last.speeds * times)[:, np.newaxis] * unit_vectors(before_last.headings)
+        places = before_last.positions + flown
     # The last one flees straight from where the one before is captured, at its own speed.
     gaps = np.hypot(*(team.positions[last] - places).T) - disk.capture_radius
     fled = (disk.speed * times + gaps) / (disk.speed - team.speeds[last])
@@ -117,7 +115,3 @@ def _corners(right: Floats, centers: Floats) -> tuple[Floats, Floats]:
     )
     around = np.hstack([touching, touching[:, :1] + _FULL_TURN])
     return 0.5 * (around[:, 1:] + around[:, :-1]), 1.0 / np.cos(0.5 * np.diff(around))
-
-
-def _units(angles: Floats) -> Floats:
-    return np.column_stack([np.cos(angles), np.sin(angles)])

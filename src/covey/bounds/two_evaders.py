@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from covey.kernels.two_evaders import set_ceiling, set_ceilings, sweep
 from covey.model import InputError, PursuerDisk, Team
-from covey.model.validation import Floats, frozen_array, number, whole_number
+from covey.model.validation import Floats, frozen_array, number, read_only, whole_number
 
 _FEWEST_CELLS = 16
 _FINENESS = 2.0
@@ -149,8 +149,7 @@ def solve_two_evaders(
         sweeps += count
     # The error halves as the cells double: extrapolated, most of it goes.
     shares = np.minimum(2.0 * fine - coarse, 1.0)
-    shares.flags.writeable = False
-    return TwoEvaderValue(rates, shares, sweeps)
+    return TwoEvaderValue(rates, read_only(shares), sweeps)
 
 
 def _swept(speeds: Floats, shares: Floats, tolerance: float) -> tuple[Floats, int]:

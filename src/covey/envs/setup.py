@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from covey.kernels.play.rules import Rules, State
 from covey.model import InputError, PursuerDisk, Team
+from covey.model.angles import away_from, unit_vectors
 from covey.model.validation import Floats, choice, frozen_array, number, whole_number
 from covey.planning.guarantee import check_game
 from covey.players import IterativeOpenLoop
@@ -141,7 +142,7 @@ class Setup:
         # The root makes rings of equal area equally likely.
         distance = self.disk_radius * math.sqrt(generator.uniform())
         bearing = generator.uniform(-math.pi, math.pi)
-        pursuer = distance * np.array([math.cos(bearing), math.sin(bearing)])
+        pursuer = distance * unit_vectors(bearing)
         given = options or {}
         if "positions" in given:
             positions = frozen_array("positions", given["positions"], (count, 2))
@@ -151,7 +152,7 @@ class Setup:
                     f"origin, got {positions.tolist()}; give the environment a larger `side`"
                 )
         if self.headings == "away":
-            headings = np.arctan2(positions[:, 1], positions[:, 0])
+            headings = away_from((0.0, 0.0), positions)
         if "headings" in given:
             if "positions" not in given:
                 raise InputError("headings: expected positions with them, got headings alone")

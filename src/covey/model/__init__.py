@@ -6,7 +6,7 @@ from covey.model.objectives import (
     LastCapture,
     Objective,
     TotalSurvival,
-    measured,
+    objective_value,
 )
 from covey.model.pursuer_disk import PursuerDisk
 from covey.model.team import Team
@@ -20,7 +20,7 @@ __all__ = [
     "PursuerDisk",
     "Team",
     "TotalSurvival",
-    "measured",
+    "objective_value",
     "turns_to",
     "wrap_angle",
 ]

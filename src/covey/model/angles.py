@@ -16,6 +16,21 @@ def wrap_angle(angle: npt.ArrayLike) -> Floats:
     return np.remainder(np.asarray(angle, dtype=np.float64) + math.pi, 2 * math.pi) - math.pi
 
 
+def unit_vectors(angles: npt.ArrayLike) -> Floats:
+    """Return the unit vectors (..., 2) along `angles` (any shape, radians)."""
+    return np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+
+
+def away_from(center: npt.ArrayLike, positions: npt.ArrayLike) -> Floats:
+    """Return the headings (...), radians, straight away from `center` (2,) at `positions` (..., 2).
+
+    At the centre itself every heading leads away; there the result is 0 or ±π.
+    """
+    offsets = np.asarray(positions, dtype=np.float64) - np.asarray(center, dtype=np.float64)
+    headings: Floats = np.arctan2(offsets[..., 1], offsets[..., 0])
+    return headings
+
+
 def turns_to(team: Team, goal_headings: npt.ArrayLike) -> Floats:
     """Signed turns δ that bring each evader to a goal heading φ the shorter way.
 

@@ -15,11 +15,11 @@ from covey.model.validation import Floats, InputError, Ints, choice, listed, num
 
 MEASURES = ("last", "total")
 
-MOST_SHUFFLED = 8
+MAX_PERMUTED = 8
 """Largest team whose N! sequences an expectation runs over; 40 320 for this one."""
 
 
-class Draws(NamedTuple):
+class SequenceDistribution(NamedTuple):
     """Capture sequences (K, N) and their probabilities (K,)."""
 
     sequences: Ints
@@ -84,7 +84,7 @@ class ExpectedSurvival:
         weights: Sequence[float] | None = None,
         measure: str = "total",
     ) -> None:
-        kept = checked_draws("ExpectedSurvival", sequences, weights)
+        kept = checked_distribution("ExpectedSurvival", sequences, weights)
         for name, value in zip(("sequences", "weights"), kept, strict=True):
             object.__setattr__(self, name, value)
         object.__setattr__(self, "measure", choice("ExpectedSurvival.measure", measure, MEASURES))
@@ -93,7 +93,7 @@ class ExpectedSurvival:
         """Return name and parameters, as a scenario file gives them."""
         return {
             "name": "expected-survival",
-            **described_draws(self.sequences, self.weights),
+            **describe_distribution(self.sequences, self.weights),
             "measure": self.measure,
         }
 
@@ -101,18 +101,18 @@ class ExpectedSurvival:
 Objective = LastCapture | TotalSurvival | ExpectedSurvival
 
 
-def measured(objective: Objective, capture_times: npt.ArrayLike) -> float:
+def objective_value(objective: Objective, capture_times: npt.ArrayLike) -> float:
     """Return what an objective measures of the times at which all of a team were captured."""
     times = np.asarray(capture_times, dtype=np.float64)
     return float(times.sum() if objective.measure == "total" else times.max())
 
 
-def draws_of(
+def distribution_of(
     name: str,
     sequences: tuple[tuple[int, ...], ...] | None,
     weights: tuple[float, ...] | None,
     count: int,
-) -> Draws:
+) -> SequenceDistribution:
     """Return the sequences of `count` evaders that are drawn from, and their probabilities.
 
     Raises
@@ -121,9 +121,9 @@ def draws_of(
         If they are sequences of another team, or too many; `name` is what the error calls them.
     """
     if sequences is None:
-        if count > MOST_SHUFFLED:
+        if count > MAX_PERMUTED:
             raise InputError(
-                f"{name}: all sequences of {count} evaders are too many, {MOST_SHUFFLED} evaders "
+                f"{name}: all sequences of {count} evaders are too many, {MAX_PERMUTED} evaders "
                 "at most; give the sequences that matter"
             )
         sequences = tuple(itertools.permutations(range(count)))
@@ -132,10 +132,10 @@ def draws_of(
             f"{name}: expected sequences of all {count} evaders, got {list(sequences[0])}"
         )
     likely = np.ones(len(sequences)) if weights is None else np.array(weights)
-    return Draws(np.array(sequences, dtype=np.int64), likely / likely.sum())
+    return SequenceDistribution(np.array(sequences, dtype=np.int64), likely / likely.sum())
 
 
-def checked_draws(
+def checked_distribution(
     name: str, sequences: Sequence[Sequence[int]] | None, weights: Sequence[float] | None
 ) -> tuple[tuple[tuple[int, ...], ...] | None, tuple[float, ...] | None]:
     """Return sequences of one team and their weights; raise InputError if they are none."""
@@ -167,7 +167,7 @@ def _checked_weights(name: str, weights: Sequence[float], count: int) -> tuple[f
     return kept
 
 
-def described_draws(
+def describe_distribution(
     sequences: tuple[tuple[int, ...], ...] | None, weights: tuple[float, ...] | None
 ) -> Mapping[str, Any]:
     """Return what was given of sequences and weights, as a scenario file gives it."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
 import numpy.typing as npt
 
 from covey.model.team import Team
@@ -51,6 +52,21 @@ class PursuerDisk:
             ("capture_radius", number("capture_radius", capture_radius, low=0.0)),
         ):
             object.__setattr__(self, name, value)
+
+    def towards(self, goal: Floats, lengths: npt.ArrayLike) -> Floats:
+        """Return the points `lengths` (...) from the centre on the way to `goal` (2,), as (..., 2).
+
+        The way ends at `goal`: a greater length leads no farther.
+        """
+        offset = goal - self.center
+        distance = float(np.hypot(*offset))
+        direction = offset / distance if distance > 0.0 else offset
+        points: Floats = self.center + np.minimum(lengths, distance)[..., np.newaxis] * direction
+        return points
+
+    def nearest_point(self, goal: Floats) -> Floats:
+        """Return the point (2,) of the disk that is nearest to `goal` (2,)."""
+        return self.towards(goal, self.radius)
 
     def require_faster_than(self, team: Team) -> None:
         """Raise InputError if an evader is as fast as the pursuer: it could flee for ever."""

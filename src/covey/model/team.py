@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from covey.model.validation import Floats, InputError, frozen_array, frozen_rates
+from covey.model.validation import Floats, InputError, Ints, frozen_array, frozen_rates
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,6 +70,12 @@ class Team:
     def __len__(self) -> int:
         """Number of evaders."""
         return len(self.headings)
+
+    def take(self, rows: Ints) -> Team:
+        """Return the team of the evaders `rows` (M,) alone, in that order."""
+        return Team(
+            self.positions[rows], self.headings[rows], self.speeds[rows], self.turn_rates[rows]
+        )
 
     def as_rows(self) -> Floats:
         """Return (N, 5) rows (x, y, heading, speed, turn rate), the form the kernels read."""

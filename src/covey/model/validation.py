@@ -23,6 +23,12 @@ class InputError(ValueError):
     """An argument that can't be used; the message says what was wanted and what came."""
 
 
+def read_only(array: Floats) -> Floats:
+    """Make `array` itself read-only and return it."""
+    array.flags.writeable = False
+    return array
+
+
 def frozen_array(name: str, value: object, shape: tuple[int | None, ...]) -> Floats:
     """Copy `value` to a read-only array of finite floats of `shape` (None: any length)."""
     array = _numbers(name, value)
@@ -33,8 +39,7 @@ def frozen_array(name: str, value: object, shape: tuple[int | None, ...]) -> Flo
         wanted += "," if len(shape) == 1 else ""
         raise InputError(f"{name}: expected an array of shape ({wanted}), got shape {array.shape}")
     _reject(name, array, ~(np.abs(array) <= LARGEST), f"finite numbers up to {LARGEST:g} in size")
-    array.flags.writeable = False
-    return array
+    return read_only(array)
 
 
 def frozen_rates(name: str, value: object, count: int, *, infinite: bool) -> Floats:
@@ -49,8 +54,7 @@ def frozen_rates(name: str, value: object, count: int, *, infinite: bool) -> Flo
     too_large = (array > LARGEST) & ~(np.isinf(array) & infinite)
     bad = np.isnan(array) | (array < 0) | too_large
     _reject(name, array, bad, "numbers >= 0" + (" (inf is allowed)" if infinite else ", finite"))
-    array.flags.writeable = False
-    return array
+    return read_only(array)
 
 
 def number(
@@ -104,6 +108,22 @@ def permutation(name: str, value: object, count: int) -> Ints:
         came = value.tolist() if isinstance(value, np.ndarray) else value
         raise InputError(f"{name}: expected each evader 0..{count - 1} once, got {came!r}")
     return np.ascontiguousarray(array, dtype=np.int64)
+
+
+def checked_sequence(name: str, sequence: Sequence[int]) -> tuple[int, ...]:
+    """Return a sequence that holds each of 0..N-1 once; else raise InputError."""
+    order = listed(name, sequence)
+    if not order:
+        raise InputError(f"{name}: expected each evader once, got nobody")
+    return tuple(permutation(name, order, len(order)).tolist())
+
+
+def require_whole_team(name: str, sequence: tuple[int, ...], count: int) -> None:
+    """Raise InputError unless the sequence is one of `count` evaders."""
+    if len(sequence) != count:
+        raise InputError(
+            f"{name}: expected a sequence of all {count} evaders, got {list(sequence)}"
+        )
 
 
 def _numbers(name: str, value: object) -> Floats:

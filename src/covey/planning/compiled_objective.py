@@ -7,7 +7,7 @@ import numpy as np
 from covey.kernels.maximum.objective import Draws as CompiledDraws
 from covey.kernels.maximum.objective import Objective as CompiledObjective
 from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, TotalSurvival
-from covey.model.objectives import Draws, draws_of
+from covey.model.objectives import SequenceDistribution, distribution_of
 
 
 def compiled_objective(objective: Objective, count: int) -> CompiledObjective:
@@ -36,7 +36,7 @@ def checked_objective(objective: object) -> Objective:
     return objective
 
 
-def _draws(objective: Objective, count: int) -> Draws:
+def _draws(objective: Objective, count: int) -> SequenceDistribution:
     if isinstance(objective, ExpectedSurvival):
-        return draws_of("ExpectedSurvival", objective.sequences, objective.weights, count)
-    return Draws(np.empty((0, count), np.int64), np.empty(0))
+        return distribution_of("ExpectedSurvival", objective.sequences, objective.weights, count)
+    return SequenceDistribution(np.empty((0, count), np.int64), np.empty(0))

@@ -52,6 +52,14 @@ def pursuit_of(disk: PursuerDisk) -> Pursuit:
     return Pursuit(x, y, disk.radius + reach, 2.0 * reach, disk.speed)
 
 
+def paths_of(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> Floats:
+    """Return the paths (N, PATH) of a team that makes `turns` (N,), as the kernels read them."""
+    checked = frozen_array("turns", turns, (len(team),))
+    paths = np.empty((len(team), PATH))
+    set_paths(team.as_rows(), checked, disk.speed, paths)
+    return paths
+
+
 def check_game(team: Team, disk: PursuerDisk) -> None:
     """Raise InputError unless this team and this pursuer make a game that can be planned."""
     disk.require_faster_than(team)
@@ -110,7 +118,7 @@ def capture_times(
     disk.require_faster_than(team)
     order = permutation("sequence", sequence, len(team))
     times = np.empty(len(team))
-    sequence_times(_paths(team, disk, turns), pursuit_of(disk), order, times)
+    sequence_times(paths_of(team, disk, turns), pursuit_of(disk), order, times)
     return times
 
 
@@ -157,7 +165,7 @@ def guaranteed_survival(
         )
     n = len(team)
     total = checked_objective(objective).measure == "total"
-    paths, sequence = _paths(team, disk, turns), np.empty(n, np.int64)
+    paths, sequence = paths_of(team, disk, turns), np.empty(n, np.int64)
     value = minimum_over_sequences(
         paths, pursuit_of(disk), total, math.inf, sequence, workspace(n, total)
     )
@@ -204,10 +212,3 @@ def value_of_plan(
     if isinstance(objective, ExpectedSurvival):
         return expected_survival(team, disk, turns, objective)
     return guaranteed_survival(team, disk, turns, objective=objective).time
-
-
-def _paths(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> Floats:
-    checked = frozen_array("turns", turns, (len(team),))
-    paths = np.empty((len(team), PATH))
-    set_paths(team.as_rows(), checked, disk.speed, paths)
-    return paths

@@ -16,7 +16,7 @@ from covey.kernels.maximum.problem import CONVERGED, STALLED, STEPS_USED_UP, Ite
 from covey.kernels.maximum.working_set import WorkingSet, new_working_set
 from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, PursuerDisk, Team
 from covey.model.angles import wrap_angle
-from covey.model.validation import Floats, frozen_array, number, whole_number
+from covey.model.validation import Floats, frozen_array, number, read_only, whole_number
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.guarantee import check_game, guaranteed_survival, pursuit_of
 from covey.planning.multistart import NONE, Ascents, Search
@@ -220,8 +220,8 @@ def _plan_of(
     if not isinstance(objective, LastCapture):
         survival_time = guaranteed_survival(team, disk, turns).time
     return Plan(
-        turns=_read_only(turns),
-        goal_headings=_read_only(wrap_angle(team.headings + turns)),
+        turns=read_only(turns),
+        goal_headings=read_only(wrap_angle(team.headings + turns)),
         survival_time=survival_time,
         objective=objective,
         value=best.value,
@@ -270,8 +270,3 @@ def _critical(best: Ascents) -> Weighted:
     )
     latest = best.value * (1.0 + CRITICAL_WITHIN)
     return [(sequence, weight) for each, sequence, weight in sorted(rows) if each <= latest]
-
-
-def _read_only(array: Floats) -> Floats:
-    array.flags.writeable = False
-    return array

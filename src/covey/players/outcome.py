@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from covey.model import LastCapture, Objective, PursuerDisk, Team, measured
+from covey.model import LastCapture, Objective, PursuerDisk, Team, objective_value
 from covey.model.validation import Floats, Ints
 from covey.players.compiled import (
     checked_settings,
@@ -93,7 +93,7 @@ def survival(
         played.plan.survival_time,
         float(played.times[-1]) if ended else math.inf,
         played.plan.value,
-        measured(objective, played.times) if ended else math.inf,
+        objective_value(objective, played.times) if ended else math.inf,
         played.order,
         played.times,
     )

@@ -14,7 +14,7 @@ from covey.kernels.maximum.multistart import search_scratch
 from covey.kernels.play.policy import TeamMemory
 from covey.kernels.play.rules import State
 from covey.kernels.play.to_capture import play_to_capture, promise
-from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team, measured
+from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team, objective_value
 from covey.model.validation import number
 from covey.planning import plan
 from covey.players.compiled import BuiltInTeam, checked_settings, team_is_built_in
@@ -225,7 +225,7 @@ class _Tree:
 
 
 def _value(captures: tuple[Capture, ...], objective: Objective) -> float:
-    return measured(objective, [capture.time for capture in captures])
+    return objective_value(objective, [capture.time for capture in captures])
 
 
 def _all_games(

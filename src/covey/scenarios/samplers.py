@@ -12,6 +12,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from covey.model.angles import away_from, unit_vectors
 from covey.model.validation import Floats, choice, number
 
 HEADINGS = ("away", "random")
@@ -90,7 +91,7 @@ class Disk:
         # The root makes rings of equal area equally likely.
         distances = self.radius * np.sqrt(shares)
         turns = math.tau * bearings
-        positions = distances[:, None] * np.column_stack([np.cos(turns), np.sin(turns)])
+        positions = distances[:, None] * unit_vectors(turns)
         return positions, _headings(self.headings, positions, angles)
 
     def describe(self) -> dict[str, Any]:
@@ -127,9 +128,9 @@ class Formation:
         bearing, heading = generator.uniform(-math.pi, math.pi, 2)
         slots = self.spacing * _slots(self.shape, count)
         slots -= slots.mean(axis=0)
-        along = np.array([math.cos(heading), math.sin(heading)])
+        along = unit_vectors(heading)
         across = np.array([-along[1], along[0]])
-        middle = self.distance * np.array([math.cos(bearing), math.sin(bearing)])
+        middle = self.distance * unit_vectors(bearing)
         positions = middle + slots[:, :1] * along + slots[:, 1:] * across
         return positions, np.full(count, heading)
 
@@ -140,14 +141,8 @@ class Formation:
 
 def _headings(how: str, positions: Floats, generator: np.random.Generator) -> Floats:
     if how == "away":
-        return away(positions)
+        return away_from((0.0, 0.0), positions)
     return generator.uniform(-math.pi, math.pi, len(positions))
-
-
-def away(positions: Floats) -> Floats:
-    """Return headings (count,) straight away from the pursuer, radians."""
-    headings: Floats = np.arctan2(positions[:, 1], positions[:, 0])
-    return headings
 
 
 def _slots(shape: str, count: int) -> Floats:
@@ -160,4 +155,4 @@ def _slots(shape: str, count: int) -> Floats:
         return math.sqrt(0.5) * np.column_stack([-row, side * row])
     radius = 0.5 / math.sin(math.pi / count) if count > 1 else 0.0
     angles = math.tau * rank / count
-    return radius * np.column_stack([np.cos(angles), np.sin(angles)])
+    return radius * unit_vectors(angles)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from covey.kernels.play.game import Pages
-from covey.model import PursuerDisk, Team, measured
+from covey.model import PursuerDisk, Team, objective_value
 from covey.model.validation import Floats, Ints
 from covey.planning.guarantee import value_of_plan
 from covey.simulation.record import Game, GameStatus
@@ -56,7 +56,7 @@ def assemble(
         guarantee=float(pages.guarantees[0]),
         survival_time=float(times[-1]) if done else math.inf,
         planned_value=value_of_plan(team, disk, pages.evaders[0, :, 3], objective),
-        value=measured(objective, times) if done else math.inf,
+        value=objective_value(objective, times) if done else math.inf,
         capture_sequence=order,
         capture_times=times,
         times=pages.times,
@@ -86,20 +86,19 @@ def _explaining_flight(disk: PursuerDisk, order: Ints, times: Floats, pages: Pag
     is the freedom which the guarantee allows the pursuer.
     """
     places = np.empty((len(pages.times), 2))
-    center, radius, since, row = disk.center, disk.radius, 0.0, 0
+    since, row = 0.0, 0
     living = (pages.critical >= 0).sum(axis=1)
     for k, (i, time) in enumerate(zip(order, times, strict=True)):
         last = int(np.argmax(living < living[0] - k)) + 1  # behind the row of this capture
         goal = pages.evaders[-1, i, :2]
-        off = goal - center
-        distance = float(np.hypot(*off))
-        towards = off / distance if distance > 0.0 else np.zeros(2)
-        start = center + min(radius, distance) * towards
-        end = center + max(distance - disk.capture_radius, min(radius, distance)) * towards
+        distance = float(np.hypot(*(goal - disk.center)))
+        start = disk.nearest_point(goal)
+        end = disk.towards(goal, max(distance - disk.capture_radius, disk.radius))
         share = np.ones(last - row)
         if time > since:
             share = (pages.times[row:last] - since) / (time - since)
         places[row:last] = start + share[:, None] * (end - start)
-        center, radius, since, row = goal, disk.capture_radius, time, last
-    places[row:] = center
+        disk = PursuerDisk(goal, disk.capture_radius, disk.speed, disk.capture_radius)
+        since, row = time, last
+    places[row:] = disk.center
     return places

@@ -10,7 +10,7 @@ import numpy as np
 
 from covey.kernels.play.rules import NOBODY, State
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team
-from covey.model.validation import Floats, Ints, frozen_array
+from covey.model.validation import Floats, Ints, frozen_array, read_only
 from covey.simulation.strategy import Chase, Fly, Situation
 
 _NO_ROWS = np.empty(0, np.int64)
@@ -29,7 +29,7 @@ def told_to_team(
         evaders=tuple(state.ids[:alive].tolist()),
         team=Team(rows[:, :2], rows[:, 2], rows[:, 3], rows[:, 4]),
         disk=PursuerDisk(state.disk[:2], state.disk[2], disk.speed, disk.capture_radius),
-        turns=_read_only_copy(state.turns[:alive]),
+        turns=read_only(state.turns[:alive].copy()),
         objective=objective,
     )
 
@@ -42,8 +42,8 @@ def told_to_pursuer(team_knows: Situation, state: State, *, flies: bool) -> Situ
     placed = flies and state.pursuer[2] == 0.0
     return replace(
         team_knows,
-        turns=_read_only_copy(state.turns[: len(team_knows.turns)]),
-        place=_read_only_copy(state.pursuer[:2]) if placed else None,
+        turns=read_only(state.turns[: len(team_knows.turns)].copy()),
+        place=read_only(state.pursuer[:2].copy()) if placed else None,
     )
 
 
@@ -95,9 +95,3 @@ def _chosen_velocity(fly: Fly, disk: PursuerDisk, *, flies: bool) -> tuple[float
             "strategy a place"
         )
     return float(velocity[0]), float(velocity[1])
-
-
-def _read_only_copy(array: Floats) -> Floats:
-    copy = array.copy()
-    copy.flags.writeable = False
-    return copy

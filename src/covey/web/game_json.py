@@ -80,11 +80,11 @@ def _expected(game: Game, row: int, sequence: np.typing.NDArray[np.int64]) -> li
     if not len(sequence):
         return []
     team = Team(
-        game.evader_positions[row, sequence],
-        game.evader_headings[row, sequence],
-        game.team.speeds[sequence],
-        game.team.turn_rates[sequence],
-    )
+        game.evader_positions[row],
+        game.evader_headings[row],
+        game.team.speeds,
+        game.team.turn_rates,
+    ).take(sequence)
     disk = PursuerDisk(
         game.disk_centers[row], game.disk_radii[row], game.disk.speed, game.disk.capture_radius
     )

@@ -9,7 +9,6 @@ import pytest
 
 import covey
 from covey.views import draw_snapshots
-from covey.views.games.flight import subteam
 from covey.views.games.snapshot import snapshot_at
 from views.drawn_artists import bearing_of_marker, disks, line, points
 from views.flown_games import FIRST_CAPTURE, SECOND_CAPTURE, game_by_hand, simulated, turning_evader

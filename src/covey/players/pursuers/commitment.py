@@ -8,12 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels.capture.path import PATH, set_paths
 from covey.kernels.maximum.sqp import ascent_scratch
 from covey.kernels.play.replanning import commit
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Ints
-from covey.planning.guarantee import pursuit_of
+from covey.planning.guarantee import paths_of, pursuit_of
 from covey.simulation import Chase, PursuerPolicy, Situation
 
 
@@ -36,11 +35,9 @@ class Committed:
         n, living = len(situation.evaders), situation.evaders
         followed = [living.index(i) for i in self._sequence if i in living]
         sequence = np.array(followed if followed else [0] * n, dtype=np.int64)
-        paths = np.empty((n, PATH))
         disk, total = situation.pursuer, situation.objective.measure == "total"
-        set_paths(situation.team.as_rows(), situation.turns, disk.speed, paths)
         commit(
-            paths,
+            paths_of(situation.team, disk, situation.turns),
             n,
             pursuit_of(disk),
             total,

@@ -9,8 +9,7 @@ from typing import Any
 
 from covey.kernels.play.to_capture import holds, is_due
 from covey.model import InputError
-from covey.model.validation import number
-from covey.players.pursuers.fixed_order import checked_sequence
+from covey.model.validation import checked_sequence, number
 from covey.simulation import Chase, Fly, PursuerPolicy, Situation
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from covey.bounds import TwoEvaderValue
-from covey.model.validation import Floats
+from covey.model.angles import unit_vectors
 from covey.planning import capture_times
 from covey.simulation import Chase, Fly, PursuerPolicy, Situation
 
@@ -53,12 +53,12 @@ class DownhillPursuer:
         now = self.value.of(team, pursuer)
         off = team.positions - pursuer.center
         goals = team.headings + situation.turns
-        flights = team.speeds[:, np.newaxis] * _units(goals)
+        flights = team.speeds[:, np.newaxis] * unit_vectors(goals)
         nearest = float(np.hypot(off[:, 0], off[:, 1]).min()) / speed
         step = _AHEAD * min(now, nearest)
         chases = np.array([_bearing_to(situation, row) for row in (0, 1)])
         bearings = np.linspace(-math.pi, math.pi, _BEARINGS, endpoint=False)
-        velocities = speed * _units(np.concatenate([chases, bearings]))
+        velocities = speed * unit_vectors(np.concatenate([chases, bearings]))
         after = self.value.at(off + step * (flights - velocities[:, np.newaxis]))
         best, chased = int(after.argmin()), int(after[:2].argmin())
         if after[chased] <= after[best] + _WORTH_CHASING * step * speed:
@@ -73,9 +73,5 @@ def _bearing_to(situation: Situation, row: int) -> float:
     time = capture_times(team, disk, situation.turns, [row, 1 - row])[0]
     heading = team.headings[row] + situation.turns[row]
     off = team.positions[row] - disk.center
-    x, y = off + team.speeds[row] * time * np.array([math.cos(heading), math.sin(heading)])
+    x, y = off + team.speeds[row] * time * unit_vectors(heading)
     return math.atan2(y, x)
-
-
-def _units(angles: Floats) -> Floats:
-    return np.column_stack([np.cos(angles), np.sin(angles)])

@@ -9,26 +9,10 @@ from typing import Any
 import numpy as np
 
 from covey.bounds.announced_sequence import best_announcement
-from covey.model import InputError, PursuerDisk, Team
-from covey.model.objectives import checked_draws, described_draws, draws_of
-from covey.model.validation import Ints, listed, permutation
+from covey.model import PursuerDisk, Team
+from covey.model.objectives import checked_distribution, describe_distribution, distribution_of
+from covey.model.validation import Ints, checked_sequence, require_whole_team
 from covey.players.pursuers.commitment import KeepsSequence
-
-
-def checked_sequence(name: str, sequence: Sequence[int]) -> tuple[int, ...]:
-    """Return a sequence that holds each of 0..N-1 once; else raise InputError."""
-    order = listed(name, sequence)
-    if not order:
-        raise InputError(f"{name}: expected each evader once, got nobody")
-    return tuple(permutation(name, order, len(order)).tolist())
-
-
-def require_whole_team(name: str, sequence: tuple[int, ...], count: int) -> None:
-    """Raise InputError unless the sequence is one of `count` evaders."""
-    if len(sequence) != count:
-        raise InputError(
-            f"{name}: expected a sequence of all {count} evaders, got {list(sequence)}"
-        )
 
 
 @dataclass(frozen=True)
@@ -109,13 +93,13 @@ class RandomSequence(KeepsSequence):
         sequences: Sequence[Sequence[int]] | None = None,
         weights: Sequence[float] | None = None,
     ) -> None:
-        kept = checked_draws("RandomSequence", sequences, weights)
+        kept = checked_distribution("RandomSequence", sequences, weights)
         for name, value in zip(("sequences", "weights"), kept, strict=True):
             object.__setattr__(self, name, value)
 
     def describe(self) -> Mapping[str, Any]:
         """Return name and parameters, as a scenario file gives them."""
-        return {"name": "random-sequence", **described_draws(self.sequences, self.weights)}
+        return {"name": "random-sequence", **describe_distribution(self.sequences, self.weights)}
 
     def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:  # noqa: ARG002
         """Return the order that was drawn."""
@@ -123,6 +107,6 @@ class RandomSequence(KeepsSequence):
         generator = np.random.default_rng([seed, 1])
         if self.sequences is None:
             return generator.permutation(len(team))
-        draws = draws_of("RandomSequence", self.sequences, self.weights, len(team))
+        draws = distribution_of("RandomSequence", self.sequences, self.weights, len(team))
         drawn: Ints = generator.choice(draws.sequences, p=draws.probabilities)
         return drawn

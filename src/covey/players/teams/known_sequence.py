@@ -8,8 +8,7 @@ from typing import Any
 
 from covey.bounds.announced_sequence import best_announcement
 from covey.bounds.fixed_sequence import plan_for_sequence
-from covey.model.validation import Floats
-from covey.players.pursuers.fixed_order import checked_sequence, require_whole_team
+from covey.model.validation import Floats, checked_sequence, require_whole_team
 from covey.players.teams.replan_interval import checked_replan_time, paced
 from covey.simulation import Situation, TeamPolicy
 

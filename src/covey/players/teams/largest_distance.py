@@ -60,7 +60,7 @@ def _keep_away(situation: Situation) -> Floats:
     threat, disk = first_threat(situation), situation.disk
     goal = threat.places[threat.row]
     times = threat.time * _MOMENTS
-    flight = _flight(disk, goal, times)
+    flight = disk.towards(goal, disk.radius + disk.speed * times)
     there = PursuerDisk(goal, 0.0, disk.speed, disk.capture_radius)
 
     def latest_capture(paths: Floats) -> tuple[Floats, Floats]:
@@ -74,13 +74,3 @@ def _keep_away(situation: Situation) -> Floats:
     scores: list[Score] = [largest_distance] * len(situation.evaders)
     scores[threat.row] = latest_capture
     return np.array([best_turn(situation, row, score) for row, score in enumerate(scores)])
-
-
-def _flight(disk: PursuerDisk, goal: Floats, times: Floats) -> Floats:
-    """Places (T, 2) on the way from the point of the disk nearest to `goal`."""
-    off = goal - disk.center
-    distance = float(np.hypot(*off))
-    towards = off / distance if distance > 0.0 else off
-    flown = np.minimum(disk.radius + disk.speed * times, distance)
-    places: Floats = disk.center + flown[:, None] * towards
-    return places

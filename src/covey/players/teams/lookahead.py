@@ -12,6 +12,7 @@ from covey.kernels.capture.chases import earliest_captures
 from covey.kernels.capture.path import PATH, sample, set_paths
 from covey.model import PursuerDisk
 from covey.model.validation import Floats
+from covey.planning.guarantee import paths_of
 from covey.simulation import Situation
 
 _GRID = np.linspace(-1.0, 1.0, 33)
@@ -29,8 +30,7 @@ class Threat(NamedTuple):
 
 def first_threat(situation: Situation) -> Threat:
     """Return the capture that the team has to expect first."""
-    paths = np.empty((len(situation.evaders), PATH))
-    set_paths(situation.team.as_rows(), situation.turns, situation.disk.speed, paths)
+    paths = paths_of(situation.team, situation.disk, situation.turns)
     times = captured_at(paths, situation.disk)
     row = int(times.argmin())
     return Threat(row, float(times[row]), places_at(paths, times[row : row + 1])[0])

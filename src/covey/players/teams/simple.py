@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from covey.model import wrap_angle
+from covey.model.angles import away_from, wrap_angle
 from covey.model.validation import Floats
 from covey.players.teams.replan_interval import checked_replan_time, paced
 from covey.simulation import Situation, TeamPolicy
@@ -57,7 +57,7 @@ class StraightAway:
 
 def _away(situation: Situation) -> Floats:
     """Signed turns (n,); an evader at the centre keeps its heading, as all lead away from there."""
-    team = situation.team
-    off = team.positions - situation.disk.center
-    away = np.where(off.any(axis=1), np.arctan2(off[:, 1], off[:, 0]), team.headings)
+    team, center = situation.team, situation.disk.center
+    leaves = (team.positions != center).any(axis=1)
+    away = np.where(leaves, away_from(center, team.positions), team.headings)
     return wrap_angle(away - team.headings)

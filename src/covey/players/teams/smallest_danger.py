@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from covey.model.angles import unit_vectors
 from covey.model.validation import Floats
 from covey.players.teams.lookahead import best_turn, captured_at, first_threat, places_at
 from covey.players.teams.replan_interval import checked_replan_time, paced
@@ -86,7 +87,7 @@ def _sunflower(count: int) -> Floats:
     rank = np.arange(count) + 0.5
     angles = rank * math.pi * (3.0 - math.sqrt(5.0))
     radii = np.sqrt(rank / count)
-    return np.column_stack([radii * np.cos(angles), radii * np.sin(angles)])
+    return radii[:, None] * unit_vectors(angles)
 
 
 _SUNFLOWER = _sunflower(_POINTS)

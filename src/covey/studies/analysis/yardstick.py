@@ -15,6 +15,7 @@ import numpy as np
 
 from covey.bounds import TwoEvaderValue, bracket, solve_two_evaders
 from covey.model import PursuerDisk, Team
+from covey.model.angles import unit_vectors
 from covey.model.validation import Floats, whole_number
 from covey.players import CommittedPursuer, DownhillPursuer, FixedSequence, survival
 from covey.scenarios.strategies import EVADERS
@@ -131,7 +132,7 @@ def _starts(kind: str, pairs: int, seed: int) -> Floats:
     if kind == CLOSE:
         away = generator.uniform(0.0, _FARTHEST_APART, pairs) * np.hypot(*places[:, 0].T)
         bearing = generator.uniform(-math.pi, math.pi, pairs)
-        off = away[:, np.newaxis] * np.column_stack([np.cos(bearing), np.sin(bearing)])
+        off = away[:, np.newaxis] * unit_vectors(bearing)
         places[:, 1] = places[:, 0] + off
     return places
 

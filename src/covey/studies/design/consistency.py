@@ -7,7 +7,7 @@ from itertools import product
 from typing import Any
 
 from covey.model import InputError
-from covey.model.objectives import draws_of
+from covey.model.objectives import distribution_of
 from covey.planning.compiled_objective import aim_of, checked_objective
 from covey.players import FixedSequence, KnownSequence, RandomSequence
 from covey.scenarios.mistakes import Mistake, Place
@@ -44,7 +44,7 @@ def _sequences(values: Mapping[str, Any]) -> Iterator[Mistake]:
 
 def _draws(place: Place, strategy: RandomSequence, size: int) -> Iterator[Mistake]:
     try:
-        draws_of("RandomSequence", strategy.sequences, strategy.weights, size)
+        distribution_of("RandomSequence", strategy.sequences, strategy.weights, size)
     except InputError as error:
         yield Mistake(place, str(error))
 

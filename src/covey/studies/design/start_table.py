@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from covey.model import InputError
+from covey.model.angles import away_from
 from covey.model.validation import Floats
-from covey.scenarios.samplers import away
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,7 +133,7 @@ def _columns(file: Path) -> tuple[Floats, Floats]:
             f"{', '.join(missing)} missing"
         )
     places = np.column_stack([columns["x"], columns["y"]])
-    rows = np.column_stack([places, columns.get("heading", away(places))])
+    rows = np.column_stack([places, columns.get("heading", away_from((0.0, 0.0), places))])
     if not np.isfinite(rows).all():
         raise InputError(f"{file}: expected finite numbers everywhere")
     return columns["start"], rows

@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from covey.model import PursuerDisk, Team
+from covey.model.angles import unit_vectors
 from covey.model.validation import Floats
 from covey.planning import capture_times
 from covey.views.charts.single_turn import SingleTurn, draw_arrow, single_turn
@@ -34,7 +35,7 @@ _PAPER_LIKE_DISK = PursuerDisk(radius=0.3)
 _APART = math.radians(38.0)
 """Angle between the radii of the disks that are drawn."""
 
-_UNIT_CIRCLE = np.column_stack([wave(np.linspace(0.0, math.tau, 400)) for wave in (np.cos, np.sin)])
+_UNIT_CIRCLE = unit_vectors(np.linspace(0.0, math.tau, 400))
 
 
 @styled
@@ -135,7 +136,7 @@ def _draw_radius(
 
     Returns points that no label should hide.
     """
-    rim = center + radius * np.array([math.cos(angle), math.sin(angle)])
+    rim = center + radius * unit_vectors(angle)
     line = sampled(np.array([center, rim]))
     axes.plot(*line.T, color=style.INK, linewidth=style.THIN_LINE, gid="radius")
     upright = (math.degrees(angle) + 90.0) % 180.0 - 90.0

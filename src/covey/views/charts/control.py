@@ -10,8 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from covey.model import Team
-from covey.model.angles import wrap_angle
-from covey.views.charts.single_turn import SingleTurn, draw_angle, draw_arrow, single_turn, towards
+from covey.model.angles import unit_vectors, wrap_angle
+from covey.views.charts.single_turn import SingleTurn, draw_angle, draw_arrow, single_turn
 from covey.views.kit import style
 from covey.views.kit.layout import add_axes, camera_around, new_figure, set_view
 from covey.views.kit.markers import DOTS, EVADERS, FLOWN, draw
@@ -88,8 +88,8 @@ def _draw_path(axes: Axes, motion: SingleTurn) -> None:
     line = motion.path(_SHOWN * motion.turn_end)
     start, bend = motion.at(0.0), motion.at(motion.turn_end)
     arrow = 0.4 * float(np.ptp(line, axis=0).max())
-    tips = [start + arrow * towards(angle) for angle in (motion.heading, 0.0)]
-    camera = camera_around(joined([line, *tips, bend + arrow * towards(0.0)]), 0.1)
+    tips = [start + arrow * unit_vectors(angle) for angle in (motion.heading, 0.0)]
+    camera = camera_around(joined([line, *tips, bend + arrow * unit_vectors(0.0)]), 0.1)
     set_view(axes, camera, ticks=False)
     center = motion.center
     axes.plot(*np.array([start, center, bend]).T, gid="guides", **style.GUIDE)

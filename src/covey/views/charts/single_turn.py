@@ -11,8 +11,9 @@ from matplotlib.patches import Arc, FancyArrowPatch
 from matplotlib.text import Text
 
 from covey.model import InputError, Team
+from covey.model.angles import unit_vectors
 from covey.model.validation import Floats, number, whole_number
-from covey.views.games.flight import path, subteam
+from covey.views.games.flight import path
 from covey.views.kit import style
 
 _WIDE = 0.5
@@ -47,7 +48,7 @@ class SingleTurn:
         """Center of the turning circle, (2,)."""
         radius = self.speed / float(self.team.turn_rates[0])
         left = self.heading + math.copysign(0.5 * math.pi, self.turn)
-        place: Floats = self.team.positions[0] + radius * towards(left)
+        place: Floats = self.team.positions[0] + radius * unit_vectors(left)
         return place
 
     def path(self, until: float) -> Floats:
@@ -64,7 +65,7 @@ def single_turn(team: Team, turn: float, evader: int) -> SingleTurn:
     """Return the turn of one evader, or raise InputError if the evader doesn't turn."""
     if whole_number("evader", evader, low=0) >= len(team):
         raise InputError(f"evader: expected one of 0..{len(team) - 1}, got {evader}")
-    alone = subteam(team, np.array([evader]))
+    alone = team.take(np.array([evader]))
     delta = number("turn", turn)
     rate, speed = float(alone.turn_rates[0]), float(alone.speeds[0])
     if delta == 0.0 or not 0.0 < rate < math.inf or speed == 0.0:
@@ -75,14 +76,9 @@ def single_turn(team: Team, turn: float, evader: int) -> SingleTurn:
     return SingleTurn(alone, delta, abs(delta) / rate)
 
 
-def towards(angle: float) -> Floats:
-    """The unit vector along an angle, (2,)."""
-    return np.array([math.cos(angle), math.sin(angle)])
-
-
 def draw_arrow(axes: Axes, start: Floats, heading: float, length: float) -> FancyArrowPatch:
     """Draw an arrow on a map."""
-    tip = start + length * towards(heading)
+    tip = start + length * unit_vectors(heading)
     arrow = FancyArrowPatch(
         tuple(start),
         tuple(tip),

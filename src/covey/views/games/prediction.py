@@ -9,7 +9,7 @@ import numpy as np
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Floats, Ints
 from covey.planning import capture_times
-from covey.views.games.flight import path, subteam
+from covey.views.games.flight import path
 from covey.views.games.snapshot import Snapshot
 
 
@@ -40,7 +40,7 @@ def predict(team: Team, disk: PursuerDisk, turns: Floats, sequence: Ints) -> Pre
     times = np.empty(0)
     if len(sequence):
         order = np.arange(len(sequence))
-        times = capture_times(subteam(team, sequence), disk, turns[sequence], order)
+        times = capture_times(team.take(sequence), disk, turns[sequence], order)
     paths = tuple(
         path(team, turns, evader, time)
         for evader, time in zip(sequence.tolist(), times.tolist(), strict=True)
@@ -57,7 +57,4 @@ def predicted(snapshot: Snapshot) -> Prediction:
 def _pursuer_path(disk: PursuerDisk, points: Floats) -> Floats:
     if not len(points):
         return disk.center[None]
-    toward = points[0] - disk.center
-    distance = float(np.hypot(*toward))
-    share = min(1.0, disk.radius / distance) if distance > 0.0 else 0.0
-    return np.vstack([disk.center + share * toward, points])
+    return np.vstack([disk.nearest_point(points[0]), points])
