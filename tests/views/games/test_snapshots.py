@@ -56,7 +56,7 @@ def test_predicted_captures_keep_the_times_of_algorithm_1(sensing, capture_radiu
         living = snapshot.sequence
         assert sorted(living) == np.flatnonzero(snapshot.alive).tolist()
         times = covey.capture_times(
-            subteam(snapshot.team, living),
+            snapshot.team.take(living),
             snapshot.disk,
             snapshot.turns[living],
             range(len(living)),

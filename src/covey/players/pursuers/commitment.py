@@ -1,4 +1,4 @@
-"""How a pursuer follows a capture sequence, and when it changes its mind."""
+"""How a pursuer follows a capture sequence, and when it takes another."""
 
 from __future__ import annotations
 
@@ -17,21 +17,49 @@ from covey.simulation import Chase, PursuerPolicy, Situation
 
 
 class Commitment(NamedTuple):
-    """What a compiled game needs to know of a pursuer that follows sequences."""
+    """To which sequence a pursuer is committed, and how strongly."""
 
-    margin: float  # by which another must be better; inf keeps the sequence for ever
-    sequence: Ints  # (N,)
-    known: bool  # whether it begins with this sequence, or with the best
+    margin: float  # relative gain for which it takes another sequence; inf: it never does
+    sequence: Ints  # (N,) rows of the team
+    is_chosen: bool  # False: it begins with the best sequence, and `sequence` holds nothing
 
 
-class Committed:
-    """The sequence that a pursuer follows, by evader number; empty while it has none."""
+class CommittingPursuer(ABC):
+    """A pursuer that follows sequences; its games can be played compiled."""
 
-    def __init__(self, margin: float, sequence: tuple[int, ...]) -> None:
-        self._margin, self._sequence = margin, sequence
+    @abstractmethod
+    def commitment(self, team: Team, disk: PursuerDisk, seed: int) -> Commitment:
+        """Return the commitment with which it begins a game."""
+
+    def start(self, seed: int) -> PursuerPolicy:
+        """Return the policy of one game."""
+        return SequenceFollower(self, seed)
+
+
+class FixedOrderPursuer(CommittingPursuer):
+    """A pursuer that chooses a sequence at the start of a game and keeps to it."""
+
+    @abstractmethod
+    def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:
+        """Return the order (N,) in which it captures this team."""
+
+    def commitment(self, team: Team, disk: PursuerDisk, seed: int) -> Commitment:
+        """Return the commitment to the sequence for this team."""
+        return Commitment(math.inf, self.sequence_for(team, disk, seed), True)
+
+
+class SequenceFollower:
+    """The policy of a `CommittingPursuer` in one game."""
+
+    def __init__(self, pursuer: CommittingPursuer, seed: int) -> None:
+        self._pursuer, self._seed = pursuer, seed
+        self._margin: float | None = None  # until the first decision
+        self._sequence: tuple[int, ...] = ()  # by evader number; empty if none is chosen yet
 
     def __call__(self, situation: Situation) -> Chase:
-        """Follow the sequence, or a clearly better one."""
+        """Follow the sequence, or one that is better by the margin."""
+        if self._margin is None:
+            self._margin = self._begin(situation)
         n, living = len(situation.evaders), situation.evaders
         followed = [living.index(i) for i in self._sequence if i in living]
         sequence = np.array(followed if followed else [0] * n, dtype=np.int64)
@@ -50,28 +78,8 @@ class Committed:
         self._sequence = tuple(living[row] for row in sequence)
         return Chase(self._sequence)
 
-
-class KeepsSequence(ABC):
-    """A pursuer that chooses a sequence at the start of a game and keeps to it."""
-
-    @abstractmethod
-    def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:
-        """Return the order (N,) in which it captures this team."""
-
-    def commitment(self, team: Team, disk: PursuerDisk, seed: int) -> Commitment:
-        """Return what a compiled game needs to know."""
-        return Commitment(math.inf, self.sequence_for(team, disk, seed), True)
-
-    def start(self, seed: int) -> PursuerPolicy:
-        """Return the policy of one game."""
-        committed: Committed | None = None
-
-        def decide(situation: Situation) -> Chase:
-            nonlocal committed
-            if committed is None:
-                rows = self.sequence_for(situation.team, situation.pursuer, seed)
-                order = tuple(situation.evaders[row] for row in rows)
-                committed = Committed(math.inf, order)
-            return committed(situation)
-
-        return decide
+    def _begin(self, situation: Situation) -> float:
+        commitment = self._pursuer.commitment(situation.team, situation.pursuer, self._seed)
+        if commitment.is_chosen:
+            self._sequence = tuple(situation.evaders[row] for row in commitment.sequence)
+        return commitment.margin

@@ -4,34 +4,34 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.validation import Floats, frozen_array, number
-from covey.players.pursuers.commitment import Commitment, Committed
+from covey.players.pursuers.commitment import Commitment, CommittingPursuer
 from covey.simulation import PursuerPolicy
 
 
 @dataclass(frozen=True)
-class CommittedPursuer:
+class CommittedPursuer(CommittingPursuer):
     """At every update, follow the sequence that captures the announced plans earliest.
 
-    The paper's pursuer of section V.B, with commitment: the team's plan makes several sequences
-    equally good, and a pursuer that chose among them anew at every update would go nowhere. It
-    keeps its sequence unless another is better by a margin.
+    The paper's pursuer of section V.B, with commitment. The team's plan makes several sequences
+    equally good, and a pursuer that chose among them anew at every update would go nowhere. This
+    pursuer keeps its sequence unless another is better by a margin.
 
     Parameters
     ----------
     margin
-        Relative to the time that the sequence it follows still takes, >= 0; `inf` keeps the first
-        sequence for ever, 0 changes for any gain.
+        Gain for which the pursuer takes another sequence, >= 0, relative to the time that its
+        sequence still takes. `inf` keeps the first sequence for ever, 0 changes for any gain.
 
     Notes
     -----
-    Where a game is about the sum of survival times, sequences are compared by that.
+    Where a game is about the sum of survival times, sequences are compared by that sum.
     """
 
     margin: float = 0.01
@@ -45,51 +45,42 @@ class CommittedPursuer:
         return {"name": "committed", "margin": self.margin}
 
     def commitment(self, team: Team, disk: PursuerDisk, seed: int) -> Commitment:  # noqa: ARG002
-        """Return what a compiled game needs to know."""
+        """Return the commitment to whichever sequence is best first."""
         return Commitment(self.margin, np.empty(len(team), np.int64), False)
-
-    def start(self, seed: int) -> PursuerPolicy:  # noqa: ARG002 the protocol's signature
-        """Return the policy of one game."""
-        return Committed(self.margin, ())
 
 
 @dataclass(frozen=True)
-class PatientPursuer:
+class UncommittedPursuer(CommittedPursuer):
     """At every update, follow the best sequence of that moment, however little better it is.
 
-    It is patient with itself: the team's plan makes several sequences equally good, and whichever
-    is followed is worse at the next update, so it dithers and may never be done
-    (docs/decisions/0005). `CommittedPursuer` with a margin of 0.
+    `CommittedPursuer` with a margin of 0; scenario files call it "patient". The team's plan makes
+    several sequences equally good, and whichever is followed is worse at the next update. So this
+    pursuer dithers, and may never capture anybody (docs/decisions/0005).
     """
+
+    margin: float = field(default=0.0, init=False, repr=False)
 
     def describe(self) -> Mapping[str, Any]:
         """Return the name, as a scenario file gives it."""
         return {"name": "patient"}
 
-    def commitment(self, team: Team, disk: PursuerDisk, seed: int) -> Commitment:
-        """Return what a compiled game needs to know."""
-        return CommittedPursuer(0.0).commitment(team, disk, seed)
-
-    def start(self, seed: int) -> PursuerPolicy:
-        """Return the policy of one game."""
-        return CommittedPursuer(0.0).start(seed)
-
 
 @dataclass(frozen=True)
 class FlyingPursuer:
-    """A committed pursuer that really is somewhere in the disk, and flies, hidden or not.
+    """A committed pursuer that has a position in the disk, and flies, hidden or not.
 
-    The rules know a hidden pursuer as a disk only, which may change its mind for nothing and
-    captures from wherever in it suits best: what the team must reckon with. This one has a place,
-    of which a team that can't see it knows the disk alone. It plans from there, pays for each
-    change of mind, and captures whomever it comes within ρ of.
+    The rules know any other hidden pursuer as a disk only. Such a disk changes its target at no
+    cost and captures from whichever of its points is best: the team must reckon with that. This
+    pursuer has a position, and a team that can't see the pursuer knows only the disk. The pursuer
+    plans from its position, loses time by each change of target, and captures every evader that
+    comes within ρ.
 
     Parameters
     ----------
     margin
         As for `CommittedPursuer`.
     offset
-        (2,) where it is at time 0: from the disk's centre, in radii of the disk, at most 1 long.
+        (2,) from the disk's centre to the position at time 0, in radii of the disk, at most 1 long.
     """
 
     margin: float = 0.01
@@ -110,9 +101,9 @@ class FlyingPursuer:
         return {"name": "flying", "margin": self.margin, "offset": list(self.offset)}
 
     def place(self, disk: PursuerDisk) -> Floats:
-        """Return where in the disk it is at time 0."""
-        place: Floats = disk.center + disk.radius * np.array(self.offset)
-        return place
+        """Return the position (2,) at time 0."""
+        position: Floats = disk.center + disk.radius * np.array(self.offset)
+        return position
 
     def start(self, seed: int) -> PursuerPolicy:
         """Return the policy of one game."""

@@ -1,4 +1,4 @@
-"""A hidden pursuer that keeps to a sequence, and lets some captures wait."""
+"""A hidden pursuer that keeps to a sequence, and delays some captures."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from covey.simulation import Chase, Fly, PursuerPolicy, Situation
 class DelayedSequence:
     """Capture the evaders in a given order, each some time after the disk has reached it.
 
-    Until a capture happens, a team that doesn't see the pursuer can't know how near it is. So a
-    pursuer that waits may learn more from the team's flight than the team from the capture.
+    Until a capture, a team that doesn't see the pursuer can't know how near the pursuer is. So a
+    pursuer that waits may learn more from the team's flight than the team learns from the capture.
 
     Parameters
     ----------
@@ -26,8 +26,8 @@ class DelayedSequence:
         Each evader's number once.
     delays
         (N,) in the order of `sequence`, times >= 0. With 0 the capture comes as soon as the disk
-        reaches the evader; else at the first update that is at least so long after the first one
-        at which the disk holds it.
+        reaches the evader. With a delay d the capture comes at the first update that is at least d
+        after the first update at which the disk holds the evader.
     """
 
     sequence: tuple[int, ...]

@@ -1,4 +1,4 @@
-"""A pursuer of two evaders that follows the true value of their game downhill."""
+"""A pursuer of two evaders that descends the true value of their game."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from covey.simulation import Chase, Fly, PursuerPolicy, Situation
 
 _BEARINGS = 32
 _AHEAD = 0.02
-"""How far it looks ahead, as a share of the value and of the time to the nearer evader."""
+"""Length of the look-ahead, as a share of the value and of the time to the nearer evader."""
 
 _WORTH_CHASING = 1e-4
-"""Making for an evader is exact, so it may look worse by this, relative, than the best bearing."""
+"""To fly at an evader is exact: preferred up to this loss of value, as a share of the step's time."""
 
 
 @dataclass(frozen=True, eq=False)
 class DownhillPursuer:
     """Fly where the value falls fastest, as the evaders fly what they have announced.
 
-    For two evaders with unlimited turn rates and a pursuer that they see. Where neither evader is
-    worth more than the other it flies between them, and keeps the team from knowing its order.
+    For two evaders with unlimited turn rates and a pursuer that they see. Where both evaders are
+    equally good as first targets, the pursuer flies between them and so hides its order.
 
     Parameters
     ----------

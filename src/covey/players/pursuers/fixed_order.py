@@ -12,11 +12,11 @@ from covey.bounds.announced_sequence import best_announcement
 from covey.model import PursuerDisk, Team
 from covey.model.objectives import checked_distribution, describe_distribution, distribution_of
 from covey.model.validation import Ints, checked_sequence, require_whole_team
-from covey.players.pursuers.commitment import KeepsSequence
+from covey.players.pursuers.commitment import FixedOrderPursuer
 
 
 @dataclass(frozen=True)
-class FixedSequence(KeepsSequence):
+class FixedSequence(FixedOrderPursuer):
     """Capture the evaders in a given order, whatever they do.
 
     Parameters
@@ -46,18 +46,18 @@ class FixedSequence(KeepsSequence):
 
 
 @dataclass(frozen=True)
-class BestSequence(KeepsSequence):
+class BestSequence(FixedOrderPursuer):
     """Capture the evaders in the order with the best guaranteed capture time, whatever they do.
 
-    For each sequence a team that knows it can survive for some longest time; this is the sequence
-    for which that is least, which the references give to the pursuer (the paper's [7] and [8]). No
-    team that turns at once survives longer, whatever it does. One that can't may draw the game out
-    a little, by turns that it announces and doesn't fly.
+    A team that knows the sequence has a longest survival time for it. The pursuer takes the
+    sequence for which this time is least, as in the references (the paper's [7] and [8]). A team
+    that turns at once can't survive longer, whatever it does. A team with limited turn rates may
+    prolong the game a little, by turns that it announces and doesn't fly.
 
     Notes
     -----
-    The sequences are compared on a grid of headings and the best few exactly. Up to five evaders
-    all are; with more, those that a beam search comes to.
+    The sequences are compared on a grid of headings, and the best few exactly. Up to five evaders,
+    all sequences are compared; with more, those that a beam search finds.
 
     References
     ----------
@@ -69,20 +69,20 @@ class BestSequence(KeepsSequence):
         return {"name": "best-sequence"}
 
     def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:  # noqa: ARG002
-        """Return the order that the team could delay least if it knew it."""
+        """Return the order that a team which knows the order could delay least."""
         return np.array(best_announcement(team, disk, ()).sequence, dtype=np.int64)
 
 
 @dataclass(frozen=True)
-class RandomSequence(KeepsSequence):
+class RandomSequence(FixedOrderPursuer):
     """Capture the evaders in an order that is drawn from the game's seed, whatever they do.
 
     Parameters
     ----------
     sequences
-        Those that are drawn from, each with every evader's number once. None: all of them.
+        Sequences to draw from, each with every evader's number once. None: all sequences.
     weights
-        How likely each is, relative to the others, >= 0. None: all alike.
+        Probability of each sequence, relative to the others, >= 0. None: all are equally likely.
     """
 
     sequences: tuple[tuple[int, ...], ...] | None = None
@@ -102,8 +102,8 @@ class RandomSequence(KeepsSequence):
         return {"name": "random-sequence", **describe_distribution(self.sequences, self.weights)}
 
     def sequence_for(self, team: Team, disk: PursuerDisk, seed: int) -> Ints:  # noqa: ARG002
-        """Return the order that was drawn."""
-        # Not the stream that the starts of the searches come from.
+        """Return the order that the seed draws."""
+        # The searches for plans take their random numbers from another stream.
         generator = np.random.default_rng([seed, 1])
         if self.sequences is None:
             return generator.permutation(len(team))

@@ -15,7 +15,7 @@ from covey.simulation import Chase, PursuerPolicy, Situation
 class NearestFirst:
     """Make for the nearest evader until it is captured, then for the next nearest.
 
-    A pursuer that is a disk only takes the one nearest to the disk's centre.
+    A pursuer that is a disk only takes the evader nearest to the disk's centre.
     """
 
     def describe(self) -> Mapping[str, Any]:

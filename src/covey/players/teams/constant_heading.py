@@ -3,34 +3,30 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass, replace
-from typing import Any
+from dataclasses import dataclass, replace
 
 from covey.model import PursuerDisk, Team
-from covey.model.validation import Floats, whole_number
-from covey.planning.open_loop import DEFAULT_STARTS
-from covey.players.teams.open_loop import IterativeOpenLoop, Replanning
-from covey.players.teams.replan_interval import checked_replan_time, paced
+from covey.model.validation import Floats
+from covey.players.teams.open_loop import Replanning, SearchingTeam
 from covey.simulation import Situation, TeamPolicy
 
 
 @dataclass(frozen=True)
-class ConstantHeading:
+class ConstantHeading(SearchingTeam):
     """Plan as if every evader turned at once, and as if the pursuer were at the disk's centre.
 
-    Iterative open loop in the special case r = 0, ω = ∞ of eq. (6), which is the game that the
-    paper extends (its reference [11]). The evaders turn to the headings of that plan the shorter
-    way, as fast as they can. Where they do turn at once, and see the pursuer, it is
-    `IterativeOpenLoop`; elsewhere nothing is guaranteed.
+    Iterative open loop in the special case r = 0, ω = ∞ of eq. (6): the game that the paper extends
+    (its reference [11]). The evaders turn to the headings of that plan the shorter way, as fast as
+    they can. If they do turn at once, and see the pursuer, this is `IterativeOpenLoop`. In all
+    other games nothing is guaranteed.
 
     Parameters
     ----------
     starts, restarts
         Starts of the search; see `IterativeOpenLoop`.
     replan_time
-        Least time between two plans, >= 0; 0 plans at every update. A capture brings a new plan at
-        once.
+        Least time between two plans, >= 0. With 0 the team plans at every update. It always plans
+        after a capture.
 
     References
     ----------
@@ -38,33 +34,21 @@ class ConstantHeading:
     ACC 2013.
     """
 
-    starts: int = DEFAULT_STARTS
-    restarts: int = 8
-    replan_time: float = 0.0
+    file_name = "constant-heading"
 
-    def __post_init__(self) -> None:
-        """Check the fields."""
-        whole_number("ConstantHeading.starts", self.starts, low=1)
-        whole_number("ConstantHeading.restarts", self.restarts, low=0)
-        checked_replan_time(self)
-
-    def describe(self) -> Mapping[str, Any]:
-        """Return name and parameters, as a scenario file gives them."""
-        return {"name": "constant-heading", **asdict(self)}
-
-    def start(self, seed: int) -> TeamPolicy:
-        """Return the policy of one game."""
-        strategy = IterativeOpenLoop(self.starts, self.restarts)
-        plan = Replanning(strategy, seed, same_game=False)  # the simplified one is ever new
+    def planner(self, seed: int) -> TeamPolicy:
+        """Return the function that makes the plans of one game."""
+        # Each simplified situation begins a game of its own: the evaders don't turn at once.
+        plan = Replanning(self, seed, same_game=False)
 
         def turns(situation: Situation) -> Floats:
             return plan(_simplified(situation))
 
-        return paced(turns, self.replan_time)
+        return turns
 
 
 def _simplified(situation: Situation) -> Situation:
-    """The same moment of the earlier paper's game."""
+    """The same situation in the earlier paper's game."""
     team, disk = situation.team, situation.disk
     return replace(
         situation,

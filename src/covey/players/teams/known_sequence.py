@@ -9,17 +9,17 @@ from typing import Any
 from covey.bounds.announced_sequence import best_announcement
 from covey.bounds.fixed_sequence import plan_for_sequence
 from covey.model.validation import Floats, checked_sequence, require_whole_team
-from covey.players.teams.replan_interval import checked_replan_time, paced
+from covey.players.teams.replan_interval import ReplanningTeam
 from covey.simulation import Situation, TeamPolicy
 
 
 @dataclass(frozen=True)
-class KnownSequence:
-    """Fly so that a pursuer which keeps to a known sequence has captured everybody latest.
+class KnownSequence(ReplanningTeam):
+    """Maximise the last capture time of a pursuer that keeps to a known sequence.
 
-    The fixed-sequence problem of the references, which the paper names as [7] and [8]: for each
-    sequence s the maximum of f_s over the turns. It is the best flight against a pursuer that has
-    announced its sequence and keeps to it, and no guarantee against one that doesn't.
+    The fixed-sequence problem of the references, the paper's [7] and [8]: for each sequence s the
+    maximum of f_s over the turns. The plan is the best flight against a pursuer that keeps to an
+    announced sequence. Against any other pursuer it guarantees nothing.
 
     Parameters
     ----------
@@ -27,8 +27,8 @@ class KnownSequence:
         Each evader's number once, or None: the sequence that `BestSequence` would choose at the
         start of the game.
     replan_time
-        Least time between two plans, >= 0; 0 plans at every update. A capture brings a new plan at
-        once, for what is left of the sequence.
+        Least time between two plans, >= 0. With 0 the team plans at every update. It always plans
+        after a capture, for the rest of the sequence.
 
     References
     ----------
@@ -38,6 +38,7 @@ class KnownSequence:
     game problem", Cybernetics and Systems Analysis 46 (2010).
     """
 
+    file_name = "known-sequence"
     sequence: tuple[int, ...] | None = None
     replan_time: float = 0.0
 
@@ -45,15 +46,15 @@ class KnownSequence:
         order = None if sequence is None else checked_sequence("KnownSequence", sequence)
         object.__setattr__(self, "sequence", order)
         object.__setattr__(self, "replan_time", replan_time)
-        checked_replan_time(self)
+        super().__post_init__()
 
     def describe(self) -> Mapping[str, Any]:
         """Return name and parameters, as a scenario file gives them."""
-        known = {} if self.sequence is None else {"sequence": list(self.sequence)}
-        return {"name": "known-sequence", **known, "replan_time": self.replan_time}
+        given = {} if self.sequence is None else {"sequence": list(self.sequence)}
+        return {"name": self.file_name, **given, "replan_time": self.replan_time}
 
-    def start(self, seed: int) -> TeamPolicy:  # noqa: ARG002 the protocol's signature
-        """Return the policy of one game."""
+    def planner(self, seed: int) -> TeamPolicy:  # noqa: ARG002 nothing is drawn
+        """Return the function that makes the plans of one game."""
         sequence: tuple[int, ...] = ()
 
         def turns(situation: Situation) -> Floats:
@@ -63,7 +64,7 @@ class KnownSequence:
             rows = [living.index(i) for i in sequence if i in living]
             return plan_for_sequence(situation.team, situation.disk, rows).turns
 
-        return paced(turns, self.replan_time)
+        return turns
 
     def _first_sequence(self, situation: Situation) -> tuple[int, ...]:
         if self.sequence is None:

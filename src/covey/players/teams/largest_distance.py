@@ -2,38 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 
 from covey.model import PursuerDisk
 from covey.model.validation import Floats
-from covey.players.teams.lookahead import Score, best_turn, captured_at, first_threat, places_at
-from covey.players.teams.replan_interval import checked_replan_time, paced
+from covey.players.teams.lookahead import (
+    PathScore,
+    best_turn,
+    captured_at,
+    first_threat,
+    positions_at,
+)
+from covey.players.teams.replan_interval import ReplanningTeam
 from covey.simulation import Situation, TeamPolicy
 
-_MOMENTS = np.linspace(0.0, 1.0, 17)
+_SHARES = np.linspace(0.0, 1.0, 17)
 
 
 @dataclass(frozen=True)
-class LargestDistance:
+class LargestDistance(ReplanningTeam):
     """Each evader makes its least distance to the pursuer as large as it can.
 
     In the reference, the paper's [2], the evaders maximise the least distance over time to a
-    pursuer of limited sensing range. Here the pursuer is faster and gets everybody in the end, so
-    the aim is adapted to the time until the next capture: the pursuer is taken to fly straight to
-    the evader that it could capture first, from where in the disk that one is nearest. Each of the
-    others maximises its least distance to this flight, at 17 moments of it. Where that is what it
-    is now, because the pursuer leaves it behind, and for the target itself, the turn counts after
-    which it could be captured latest.
+    pursuer of limited sensing range. Here the pursuer is faster and captures everybody in the end,
+    so the objective is limited to the time until the next capture. The pursuer is assumed to fly
+    straight to the evader that it could capture first, from the disk's point nearest to that
+    capture. Every other evader maximises its least distance to this flight, at 17 times. If the
+    distance only grows, its least value is the same for all turns; then the evader maximises its
+    earliest capture time instead, from the capture on. The target maximises its own.
 
     Parameters
     ----------
     replan_time
-        Least time between two plans, >= 0; 0 plans at every update. A capture brings a new plan at
-        once.
+        Least time between two plans, >= 0. With 0 the team plans at every update. It always plans
+        after a capture.
 
     References
     ----------
@@ -41,25 +45,18 @@ class LargestDistance:
     Automation and Remote Control 65 (2004).
     """
 
+    file_name = "largest-distance"
     replan_time: float = 0.0
 
-    def __post_init__(self) -> None:
-        """Check the field."""
-        checked_replan_time(self)
-
-    def describe(self) -> Mapping[str, Any]:
-        """Return name and parameters, as a scenario file gives them."""
-        return {"name": "largest-distance", **asdict(self)}
-
-    def start(self, seed: int) -> TeamPolicy:  # noqa: ARG002 the protocol's signature
-        """Return the policy of one game."""
-        return paced(_keep_away, self.replan_time)
+    def planner(self, seed: int) -> TeamPolicy:  # noqa: ARG002 nothing is drawn
+        """Return the function that makes the plans of one game."""
+        return _keep_away
 
 
 def _keep_away(situation: Situation) -> Floats:
     threat, disk = first_threat(situation), situation.disk
-    goal = threat.places[threat.row]
-    times = threat.time * _MOMENTS
+    goal = threat.positions[threat.row]
+    times = threat.time * _SHARES
     flight = disk.towards(goal, disk.radius + disk.speed * times)
     there = PursuerDisk(goal, 0.0, disk.speed, disk.capture_radius)
 
@@ -67,10 +64,10 @@ def _keep_away(situation: Situation) -> Floats:
         return np.zeros(len(paths)), captured_at(paths, disk)
 
     def largest_distance(paths: Floats) -> tuple[Floats, Floats]:
-        off = places_at(paths, times) - flight[:, None]
+        off = positions_at(paths, times) - flight[:, None]
         least = np.hypot(off[:, :, 0], off[:, :, 1]).min(axis=0)
         return least, captured_at(paths, there, threat.time)
 
-    scores: list[Score] = [largest_distance] * len(situation.evaders)
+    scores: list[PathScore] = [largest_distance] * len(situation.evaders)
     scores[threat.row] = latest_capture
     return np.array([best_turn(situation, row, score) for row, score in enumerate(scores)])

@@ -1,4 +1,4 @@
-"""What an evader that decides for itself looks ahead to: the first capture, and its own turns."""
+"""The look-ahead of an evader that decides for itself: the first capture, and its own turns."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from covey.planning.guarantee import paths_of
 from covey.simulation import Situation
 
 _GRID = np.linspace(-1.0, 1.0, 33)
-_ROUNDS, _FINER = 3, 10.0
-"""Turns are tried a half turn to either side, then ever closer around the best: to 0.002."""
+_ROUNDS, _REFINEMENT = 3, 10.0
+"""A grid of turns in [-π, π], refined twice by a factor of 10 around the best: to 0.002 radians."""
 
 
 class Threat(NamedTuple):
     """The first capture that the pursuer could make if everybody flew on as announced."""
 
-    row: int  # of whom
+    row: int  # of the evader that is captured
     time: float  # from now
-    places: Floats  # (n, 2) of everybody at that time
+    positions: Floats  # (n, 2) of the living at that time
 
 
 def first_threat(situation: Situation) -> Threat:
@@ -33,29 +33,29 @@ def first_threat(situation: Situation) -> Threat:
     paths = paths_of(situation.team, situation.disk, situation.turns)
     times = captured_at(paths, situation.disk)
     row = int(times.argmin())
-    return Threat(row, float(times[row]), places_at(paths, times[row : row + 1])[0])
+    return Threat(row, float(times[row]), positions_at(paths, times[row : row + 1])[0])
 
 
-def captured_at(paths: Floats, disk: PursuerDisk, start: float = 0.0) -> Floats:
-    """Return by when a pursuer that is in `disk` at time `start` could have captured each path."""
+def captured_at(paths: Floats, disk: PursuerDisk, begin: float = 0.0) -> Floats:
+    """Return the earliest capture times (K,) of paths, for a pursuer in `disk` at time `begin`."""
     times = np.empty(len(paths))
     x, y = disk.center.tolist()
-    earliest_captures(paths, x, y, disk.radius + disk.capture_radius, start, disk.speed, times)
+    earliest_captures(paths, x, y, disk.radius + disk.capture_radius, begin, disk.speed, times)
     return times
 
 
-def places_at(paths: Floats, times: Floats) -> Floats:
-    """Return where each path is at each of the times: (T, K, 2)."""
-    places = np.empty((len(times), len(paths), 2))
-    sample(paths, times, places)
-    return places
+def positions_at(paths: Floats, times: Floats) -> Floats:
+    """Return the positions (T, K, 2) of K paths at T times."""
+    positions = np.empty((len(times), len(paths), 2))
+    sample(paths, times, positions)
+    return positions
 
 
-Score = Callable[[Floats], tuple[Floats, Floats]]
-"""From paths (K, PATH) to two scores (K,) each; the second decides where the first is equal."""
+PathScore = Callable[[Floats], tuple[Floats, Floats]]
+"""From paths (K, PATH) to two scores (K,) each; the second decides where the first are equal."""
 
 
-def best_turn(situation: Situation, row: int, score: Score) -> float:
+def best_turn(situation: Situation, row: int, score: PathScore) -> float:
     """Return the signed turn in [-π, π] of the evader in `row` whose path scores highest."""
     evaders = np.repeat(situation.team.as_rows()[row : row + 1], len(_GRID), axis=0)
     paths = np.empty((len(_GRID), PATH))
@@ -65,5 +65,5 @@ def best_turn(situation: Situation, row: int, score: Score) -> float:
         set_paths(evaders, turns, situation.disk.speed, paths)
         first, second = score(paths)
         turn = float(turns[np.lexsort((second, first))[-1]])
-        width /= _FINER
+        width /= _REFINEMENT
     return turn

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,11 +20,11 @@ from covey.planning.compiled_objective import aim_of
 from covey.planning.guarantee import pursuit_of
 from covey.planning.multistart import MOST_STEPS
 from covey.planning.open_loop import DEFAULT_STARTS, DEFAULT_TOLERANCE, columns_of, start_noise
-from covey.players.teams.replan_interval import checked_replan_time, least_wait, paced
+from covey.players.teams.replan_interval import ReplanningTeam, minimum_wait
 from covey.simulation import Situation, TeamPolicy
 
 REPLAN_TOLERANCE = 1e-7
-"""An update ends when a step promises less than this, relative; the next goes on from there."""
+"""An update stops at this relative predicted gain; the next update continues from there."""
 
 
 @dataclass(frozen=True)
@@ -72,23 +72,8 @@ class OpenLoop:
 
 
 @dataclass(frozen=True)
-class IterativeOpenLoop:
-    """Plan again and again, from the present state: the paper's iOL (section IV.C).
-
-    The plan that is flown is always the first start, so the team never survives less than its
-    first plan guaranteed, or never less in sum where the game is about that.
-
-    Parameters
-    ----------
-    starts
-        Starts of the search for the first plan; see `covey.plan`.
-    restarts
-        Other starts that are followed when an evader has been captured, for then the game is a
-        new one.
-    replan_time
-        Least time between two plans, >= 0; 0 plans at every update. A capture brings a new plan at
-        once.
-    """
+class SearchingTeam(ReplanningTeam):
+    """A team that searches for its plans; the parameters are those of `IterativeOpenLoop`."""
 
     starts: int = DEFAULT_STARTS
     restarts: int = 8
@@ -96,22 +81,41 @@ class IterativeOpenLoop:
 
     def __post_init__(self) -> None:
         """Check the fields."""
-        whole_number("IterativeOpenLoop.starts", self.starts, low=1)
-        whole_number("IterativeOpenLoop.restarts", self.restarts, low=0)
-        checked_replan_time(self)
+        name = type(self).__name__
+        whole_number(f"{name}.starts", self.starts, low=1)
+        whole_number(f"{name}.restarts", self.restarts, low=0)
+        super().__post_init__()
 
-    def describe(self) -> Mapping[str, Any]:
-        """Return name and parameters, as a scenario file gives them."""
-        return {"name": "iterative-open-loop", **asdict(self)}
+
+@dataclass(frozen=True)
+class IterativeOpenLoop(SearchingTeam):
+    """Plan again and again, from the present state: the paper's iOL (section IV.C).
+
+    The first start of each search is the plan that is being flown. So the team never survives less
+    than its first plan guaranteed; where the game is about the sum of survival times, that sum is
+    never less.
+
+    Parameters
+    ----------
+    starts
+        Starts of the search for the first plan; see `covey.plan`.
+    restarts
+        Other starts of the search after a capture, when the game is a new one.
+    replan_time
+        Least time between two plans, >= 0. With 0 the team plans at every update. It always plans
+        after a capture.
+    """
+
+    file_name = "iterative-open-loop"
 
     def compiled(self) -> policy.TeamPolicy:
         """Return the policy of a compiled game."""
-        wait = least_wait(self.replan_time)
+        wait = minimum_wait(self.replan_time)
         return policy.TeamPolicy(True, wait, self.restarts, REPLAN_TOLERANCE, MOST_STEPS)
 
-    def start(self, seed: int) -> TeamPolicy:
-        """Return the policy of one game."""
-        return paced(Replanning(self, seed), self.replan_time)
+    def planner(self, seed: int) -> TeamPolicy:
+        """Return the function that makes the plans of one game."""
+        return Replanning(self, seed)
 
 
 class Replanning:
@@ -120,13 +124,13 @@ class Replanning:
     Parameters
     ----------
     strategy, seed
-        Whose policy it is, and of which game.
+        The strategy, and the seed of the game.
     same_game
-        Whether all situations are of one game that goes by the rules: then a plan loses no more
-        worth than time goes by, which spares work.
+        Whether all situations are of one game that goes by the rules. Then the value of a plan
+        falls by at most the time that passes, and this lower bound saves work.
     """
 
-    def __init__(self, strategy: IterativeOpenLoop, seed: int, *, same_game: bool = True) -> None:
+    def __init__(self, strategy: SearchingTeam, seed: int, *, same_game: bool = True) -> None:
         self._strategy, self._seed, self._same_game = strategy, seed, same_game
         self._living: tuple[int, ...] = ()
 

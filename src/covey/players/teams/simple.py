@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from covey.model.angles import away_from, wrap_angle
 from covey.model.validation import Floats
-from covey.players.teams.replan_interval import checked_replan_time, paced
+from covey.players.teams.replan_interval import ReplanningTeam
 from covey.simulation import Situation, TeamPolicy
 
 
 @dataclass(frozen=True)
 class HoldCourse:
-    """Never turn: what a team does that knows of no pursuer."""
+    """Never turn, as a team that knows of no pursuer."""
 
     def describe(self) -> Mapping[str, Any]:
         """Return the name, as a scenario file gives it."""
@@ -28,35 +28,28 @@ class HoldCourse:
 
 
 @dataclass(frozen=True)
-class StraightAway:
+class StraightAway(ReplanningTeam):
     """Turn away from the centre of the disk, each evader on its own.
 
-    The best that a single evader can do that turns at once: pure evasion.
+    Pure evasion: the best flight of a single evader that turns at once.
 
     Parameters
     ----------
     replan_time
-        Least time between two plans, >= 0; 0 plans at every update. A capture brings a new plan at
-        once.
+        Least time between two plans, >= 0. With 0 the team plans at every update. It always plans
+        after a capture.
     """
 
+    file_name = "straight-away"
     replan_time: float = 0.0
 
-    def __post_init__(self) -> None:
-        """Check the field."""
-        checked_replan_time(self)
-
-    def describe(self) -> Mapping[str, Any]:
-        """Return name and parameters, as a scenario file gives them."""
-        return {"name": "straight-away", **asdict(self)}
-
-    def start(self, seed: int) -> TeamPolicy:  # noqa: ARG002 the protocol's signature
-        """Return the policy of one game."""
-        return paced(_away, self.replan_time)
+    def planner(self, seed: int) -> TeamPolicy:  # noqa: ARG002 nothing is drawn
+        """Return the function that makes the plans of one game."""
+        return _away
 
 
 def _away(situation: Situation) -> Floats:
-    """Signed turns (n,); an evader at the centre keeps its heading, as all lead away from there."""
+    """Signed turns (n,); an evader at the centre keeps its heading."""
     team, center = situation.team, situation.disk.center
     leaves = (team.positions != center).any(axis=1)
     away = np.where(leaves, away_from(center, team.positions), team.headings)

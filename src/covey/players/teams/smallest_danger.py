@@ -3,38 +3,36 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 
 from covey.model.angles import unit_vectors
 from covey.model.validation import Floats
-from covey.players.teams.lookahead import best_turn, captured_at, first_threat, places_at
-from covey.players.teams.replan_interval import checked_replan_time, paced
+from covey.players.teams.lookahead import best_turn, captured_at, first_threat, positions_at
+from covey.players.teams.replan_interval import ReplanningTeam
 from covey.simulation import Situation, TeamPolicy
 
 _POINTS = 256
 
 
 @dataclass(frozen=True)
-class SmallestDanger:
-    """Each evader makes the part of the disk small in which it is the one nearest to the pursuer.
+class SmallestDanger(ReplanningTeam):
+    """Each evader minimises the part of the disk from which it is the pursuer's nearest evader.
 
-    In the reference, the paper's [4], each evader makes its own chance small of being the nearest
-    to a hidden pursuer. Its domain of danger, the places from where it would be, is its Voronoi
-    cell. Here the team knows a disk, so the aim is adapted: at the time at which the pursuer could
-    first capture somebody, it is anywhere in the disk that has grown until then, each place as
-    likely as another, and the others are where their announced plans take them. The evader makes
-    its share of that disk small. Where turns leave the same share, none of it for example, the turn
-    counts after which it could be captured latest.
+    In the reference, the paper's [4], each evader minimises the probability that it is the evader
+    nearest to a hidden pursuer. Its domain of danger, its Voronoi cell, holds the positions of the
+    pursuer for which it is the nearest. Here the team knows a disk. The domains are taken at the
+    earliest time at which the pursuer could capture somebody, with the other evaders where their
+    announced plans take them. The pursuer is equally likely to be anywhere in the disk, grown until
+    then, and the evader minimises its share of that disk. Where several turns leave the same share,
+    zero for example, the evader takes the turn with the latest earliest capture.
 
     Parameters
     ----------
     replan_time
-        Least time between two plans, >= 0; 0 plans at every update. A capture brings a new plan at
-        once.
+        Least time between two plans, >= 0. With 0 the team plans at every update. It always plans
+        after a capture.
 
     References
     ----------
@@ -43,31 +41,24 @@ class SmallestDanger:
     "Geometry for the selfish herd", Journal of Theoretical Biology 31 (1971).
     """
 
+    file_name = "smallest-danger"
     replan_time: float = 0.0
 
-    def __post_init__(self) -> None:
-        """Check the field."""
-        checked_replan_time(self)
-
-    def describe(self) -> Mapping[str, Any]:
-        """Return name and parameters, as a scenario file gives them."""
-        return {"name": "smallest-danger", **asdict(self)}
-
-    def start(self, seed: int) -> TeamPolicy:  # noqa: ARG002 the protocol's signature
-        """Return the policy of one game."""
-        return paced(_each_for_itself, self.replan_time)
+    def planner(self, seed: int) -> TeamPolicy:  # noqa: ARG002 nothing is drawn
+        """Return the function that makes the plans of one game."""
+        return _each_for_itself
 
 
 def _each_for_itself(situation: Situation) -> Floats:
     threat, disk = first_threat(situation), situation.disk
     points = disk.center + (disk.radius + disk.speed * threat.time) * _SUNFLOWER
-    gaps = _squares(threat.places, points)
+    gaps = _squares(threat.positions, points)
 
     def turn(row: int) -> float:
         others = np.delete(gaps, row, axis=0).min(axis=0, initial=math.inf)
 
         def score(paths: Floats) -> tuple[Floats, Floats]:
-            own = _squares(places_at(paths, np.array([threat.time]))[0], points)
+            own = _squares(positions_at(paths, np.array([threat.time]))[0], points)
             return -(own < others).mean(axis=1), captured_at(paths, disk)
 
         return best_turn(situation, row, score)
@@ -75,9 +66,9 @@ def _each_for_itself(situation: Situation) -> Floats:
     return np.array([turn(row) for row in range(len(situation.evaders))])
 
 
-def _squares(places: Floats, points: Floats) -> Floats:
-    """Squared distances (K, P) of places (K, 2) and points (P, 2)."""
-    x, y = (places[:, None, axis] - points[:, axis] for axis in (0, 1))
+def _squares(positions: Floats, points: Floats) -> Floats:
+    """Squared distances (K, P) of positions (K, 2) and points (P, 2)."""
+    x, y = (positions[:, None, axis] - points[:, axis] for axis in (0, 1))
     squares: Floats = x * x + y * y
     return squares
 
