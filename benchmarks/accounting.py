@@ -15,8 +15,9 @@ import numpy as np
 
 import covey
 from covey.kernels.capture.interception import earliest_capture
-from covey.kernels.capture.path import PATH, position, set_paths
-from covey.planning.guarantee import pursuit_of
+from covey.kernels.capture.path import position
+from covey.kernels.capture.pursuit import GrowingDisk
+from covey.planning.guarantee import paths_of, pursuit_of
 from interpreted import Watch
 from moments import moments
 from own import Compiled, planned, replanned, timed_plan, timed_replan
@@ -28,17 +29,15 @@ LONG = 7
 """Size from which on the calls of a solve are long enough to be timed in their order."""
 
 PARTS = {
-    "least_time": "programmes",
+    "min_last_capture": "inner solves",
+    "build_model": "derivatives",
     "linearise": "derivatives",
-    "linearise_one": "derivatives",
-    "shape": "quadratic",
+    "factor_hessian": "quadratic",
     "best_step": "quadratic",
     "corrected_step": "quadratic",
-    "drifted": "quadratic",
-    "take_way": "quadratic",
-    "ways_off": "quadratic",
-    "evaluate": "columns",
-    "capture_times": "columns",
+    "multipliers_changed": "quadratic",
+    "escape_count": "quadratic",
+    "capture_times": "working set",
     "set_paths": "paths",
 }
 """The kernels in which a plan spends its time, and under which heading. The rest steers."""
@@ -56,10 +55,10 @@ class Account(NamedTuple):
     floor_interceptions: int
     floor: float
     over_floor: float
-    programmes: float
+    inner_solves: float
     derivatives: float
     quadratic: float
-    columns: float
+    working_set: float
     paths: float
     rest: float
 
@@ -124,8 +123,7 @@ def _account(task, size, run, driver, arguments, plan):
 def interception_seconds(moment):
     """Seconds of one interception by itself: those along random sequences, one after the other."""
     team, disk, turns = moment.before
-    n, pursuit, paths = len(team), pursuit_of(disk), np.empty((len(team), PATH))
-    set_paths(team.as_rows(), turns, pursuit.speed, paths)
+    n, pursuit, paths = len(team), pursuit_of(disk), paths_of(team, disk, turns)
     sequences = np.random.default_rng(n).permuted(np.tile(np.arange(n), (100, 1)), axis=1)
     starts = []
     for sequence in sequences:
@@ -141,14 +139,8 @@ def _each(paths, pursuit, evaders, starts):
     for repeat in range(len(seconds)):
         begun = now(reading)
         for k in range(len(evaders)):
-            total += earliest_capture(
-                paths,
-                evaders[k],
-                starts[k, 0],
-                starts[k, 1],
-                pursuit.later_radius,
-                starts[k, 2],
-                pursuit.speed,
-            )
+            x, y, time = starts[k]
+            disk = GrowingDisk(x, y, pursuit.later_radius, time, pursuit.speed)
+            total += earliest_capture(paths, evaders[k], disk)
         seconds[repeat] = (now(reading) - begun) / len(evaders)
     return np.median(seconds) if total > 0.0 else np.inf  # a sum that is used can't be left out

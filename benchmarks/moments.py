@@ -6,16 +6,16 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from covey.kernels.play.replanning import replan
 
 import covey
-from covey.kernels.maximum.multistart import search_scratch
-from covey.kernels.maximum.working_set import Columns
-from covey.kernels.play.rules import NOBODY, Rules, announce, fly, initial_state, pursuit_from
-from covey.planning.compiled_objective import aim_of
-from covey.planning.multistart import MOST_STEPS
-from covey.planning.open_loop import columns_of, start_noise
-from covey.players.teams.open_loop import REPLAN_TOLERANCE
+from covey.kernels.maximum.problem import Problem
+from covey.kernels.maximum.working_set import WorkingSet
+from covey.kernels.play.policy import replan
+from covey.kernels.play.rules import NOBODY, Rules, announce, fly, initial_state
+from covey.planning.compiled_objective import compiled_objective
+from covey.planning.guarantee import pursuit_of
+from covey.planning.workspace import workspace
+from covey.players.teams.open_loop import first_memory
 
 UPDATE_TIME = 0.01
 
@@ -39,8 +39,8 @@ class Moment(NamedTuple):
     before: Situation  # with the turns of the last plan
     now: Situation  # with what is left of them
     plan: covey.Plan  # the last one as a record
-    columns: Columns  # the last one's, as a game carries them over
-    worth: float  # what the last one is worth at least, less the time since
+    working_set: WorkingSet  # the last one's, as a game carries it over
+    lower_bound: float  # of what is left of the last one: its value less the time since
 
 
 class Answer(NamedTuple):
@@ -55,40 +55,31 @@ def moments(size):
     """Yield games as in section V of the paper: uniform in the unit square, headings away."""
     generator, disk = np.random.default_rng(size), covey.PursuerDisk()
     rules = Rules(1.0, 0.0, False, UPDATE_TIME, math.inf)
-    noise, scratch = start_noise(0, 1, size), search_scratch(size)
-    aim = aim_of(covey.LastCapture(), size)
+    options = covey.IterativeOpenLoop().compiled()
+    objective = compiled_objective(covey.LastCapture(), size)
     while True:
         positions = generator.uniform(-0.5, 0.5, (size, 2))
         bearings = np.arctan2(positions[:, 1], positions[:, 0])
         team = covey.Team(positions, bearings)
         first = Situation(team, disk, covey.turns_to(team, bearings))
         plan = covey.plan(team, disk, starts=1)
-        columns, target = columns_of(plan), plan.critical_sequences[0][0]
+        memory, target = first_memory(plan, 0, 0), plan.critical_sequences[0][0]
         state = initial_state(team.as_rows(), 0.0, 0.0, 0.0)
         state.turns[:] = plan.turns
         announce(state, rules)
         if fly(state, rules, target, 0.0, 0.0) != NOBODY:
             continue  # captured before there is anything to replan: the next team
-        worth = replan(
-            state.evaders,
-            size,
-            pursuit_from(state, rules),
-            aim,
-            noise,
-            0,
-            REPLAN_TOLERANCE,
-            MOST_STEPS,
-            plan.survival_time - UPDATE_TIME,
-            state.turns,
-            columns,
-            scratch,
-        )
+        memory.last[1] = plan.survival_time
+        seen = covey.PursuerDisk(state.disk[:2])
+        problem = Problem(state.evaders, pursuit_of(seen), objective)
+        replan(problem, options, memory, UPDATE_TIME, 0, state.turns, workspace(size))
         before = _situation(state)
         announce(state, rules)
         if fly(state, rules, target, 0.0, 0.0) != NOBODY:
             continue
         last = covey.plan(before.team, before.disk, starts=1, warm_start=before.turns)
-        yield Moment(first, before, _situation(state), last, columns, worth - UPDATE_TIME)
+        lower_bound = float(memory.last[1]) - UPDATE_TIME
+        yield Moment(first, before, _situation(state), last, memory.working_set, lower_bound)
 
 
 def _situation(state):

@@ -12,69 +12,46 @@ import time
 
 import numba
 import numpy as np
-from covey.kernels.play.replanning import replan
 
 import covey
-from covey.kernels.maximum.multistart import search, search_scratch
-from covey.kernels.maximum.working_set import copy_columns, make_columns
-from covey.planning.compiled_objective import aim_of
+from covey.kernels.maximum.initial_guesses import Guesses, new_elite
+from covey.kernels.maximum.multistart import RADIUS_RANDOM, RADIUS_WARM, multistart, refine
+from covey.kernels.maximum.problem import Iterate, Options, Problem
+from covey.kernels.maximum.working_set import copy_working_set, new_working_set
+from covey.kernels.play.policy import UPDATE_STEPS
+from covey.planning.compiled_objective import compiled_objective
 from covey.planning.guarantee import pursuit_of
-from covey.planning.multistart import MOST_STEPS
-from covey.planning.open_loop import DEFAULT_TOLERANCE, start_noise
+from covey.planning.multistart import MAX_STEPS
+from covey.planning.open_loop import DEFAULT_TOLERANCE
+from covey.planning.workspace import workspace
 from covey.players.teams.open_loop import REPLAN_TOLERANCE
 from moments import Answer
 from stopwatch import now
 
+WARM = Options(RADIUS_WARM, REPLAN_TOLERANCE, UPDATE_STEPS)
+COLD = Options(RADIUS_RANDOM, DEFAULT_TOLERANCE, MAX_STEPS)
+
 
 @numba.njit
-def timed_replan(
-    repeats, evaders, pursuit, aim, noise, left, worth, known, turns, columns, scratch
-):
-    """Median time and value of replans from what is left of a plan and the columns it had."""
-    n, value, reading, seconds = len(left), 0.0, np.zeros(2, np.int64), np.empty(repeats)
+def timed_replan(repeats, problem, guesses, options, lower_bound, left, iterate, scratch):
+    """Median time and value of replans from what is `left` of a plan, turns and working set."""
+    value, reading, seconds = 0.0, np.zeros(2, np.int64), np.empty(repeats)
     for k in range(repeats):
-        turns[:] = left
-        copy_columns(known, n, columns)
+        iterate.turns[:] = left.turns
+        copy_working_set(left.working_set, len(left.turns), iterate.working_set)
         start = now(reading)
-        value = replan(
-            evaders,
-            n,
-            pursuit,
-            aim,
-            noise,
-            0,
-            REPLAN_TOLERANCE,
-            MOST_STEPS,
-            worth,
-            turns,
-            columns,
-            scratch,
-        )
+        value, _, _, _ = refine(problem, guesses, options, lower_bound, iterate, scratch)
         seconds[k] = now(reading) - start
     return np.median(seconds), value
 
 
 @numba.njit
-def timed_plan(repeats, evaders, pursuit, aim, noise, turns, columns, scratch):
+def timed_plan(repeats, problem, guesses, options, iterate, scratch):
     """Median time and value of plans from one start."""
-    n, value, reading, seconds = len(turns), 0.0, np.zeros(2, np.int64), np.empty(repeats)
+    value, reading, seconds = 0.0, np.zeros(2, np.int64), np.empty(repeats)
     for k in range(repeats):
         start = now(reading)
-        value, _, _ = search(
-            evaders,
-            n,
-            pursuit,
-            aim,
-            noise,
-            1,
-            -math.inf,
-            DEFAULT_TOLERANCE,
-            MOST_STEPS,
-            turns,
-            columns,
-            scratch.elite,
-            scratch,
-        )
+        value, _, _, _ = multistart(problem, guesses, options, -math.inf, iterate, scratch)
         seconds[k] = now(reading) - start
     return np.median(seconds), value
 
@@ -87,8 +64,10 @@ class Compiled:
 
     def __init__(self, size):
         self.repeats = 5 if size <= 10 else 1  # the median counts
-        self.noise, self.scratch = start_noise(0, 1, size), search_scratch(size)
-        self.aim = aim_of(covey.LastCapture(), size)
+        self.scratch = workspace(size)
+        self.objective = compiled_objective(covey.LastCapture(), size)
+        self.iterate = Iterate(np.zeros(size), new_working_set(size))
+        self.uniforms, self.elite = np.empty((0, size)), new_elite(size)
 
     def warm(self, moment):
         """Replan from what is left of the last plan."""
@@ -100,17 +79,19 @@ class Compiled:
 
     def warm_arguments(self, moment):
         """What `timed_replan` wants besides the number of repeats."""
-        team, disk, left = moment.now
-        blank, known = make_columns(len(left)), moment.columns
-        game = (team.as_rows(), pursuit_of(disk), self.aim)
-        return *game, self.noise, left, moment.worth, known, left.copy(), blank, self.scratch
+        team, disk, turns = moment.now
+        problem = Problem(team.as_rows(), pursuit_of(disk), self.objective)
+        guesses, left = self._guesses(0), Iterate(turns, moment.working_set)
+        return problem, guesses, WARM, moment.lower_bound, left, self.iterate, self.scratch
 
     def cold_arguments(self, moment):
         """What `timed_plan` wants besides the number of repeats."""
-        team, disk, away = moment.first
-        blank = make_columns(len(away))
-        game = (team.as_rows(), pursuit_of(disk), self.aim)
-        return *game, self.noise, away.copy(), blank, self.scratch
+        team, disk, _ = moment.first
+        problem = Problem(team.as_rows(), pursuit_of(disk), self.objective)
+        return problem, self._guesses(1), COLD, self.iterate, self.scratch
+
+    def _guesses(self, size):
+        return Guesses(self.uniforms, self.elite, 0, size)
 
 
 class FromPython:

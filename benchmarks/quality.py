@@ -12,12 +12,12 @@ import time
 import numpy as np
 
 import covey
-from covey.kernels.maximum.initial_guesses import BEGINNINGS, make_elite
-from covey.kernels.maximum.multistart import search_all
-from covey.planning.compiled_objective import aim_of
+from covey.kernels.maximum.initial_guesses import N_RANDOM
+from covey.kernels.maximum.problem import Problem
+from covey.planning.compiled_objective import compiled_objective
 from covey.planning.guarantee import pursuit_of
-from covey.planning.multistart import MOST_STEPS
-from covey.planning.open_loop import DEFAULT_TOLERANCE, start_noise
+from covey.planning.multistart import Search
+from covey.planning.open_loop import DEFAULT_TOLERANCE, guess_uniforms
 
 GAMES, STARTS = 200, 250
 
@@ -33,19 +33,12 @@ def random_team(size, game):
 def best_known(team, disk):
     """Return the best value of a search that varies what it finds and of one that doesn't."""
     values = [covey.plan(team, disk, starts=STARTS, seed=1).survival_time]
-    for seed in range(STARTS // BEGINNINGS):
-        noise = start_noise(100 + seed, BEGINNINGS, len(team))
-        found = search_all(
-            team.as_rows(),
-            pursuit_of(disk),
-            aim_of(covey.LastCapture(), len(team)),
-            noise,
-            BEGINNINGS,
-            DEFAULT_TOLERANCE,
-            MOST_STEPS,
-            make_elite(len(team)),
-        )
-        values.append(found.value)
+    objective = compiled_objective(covey.LastCapture(), len(team))
+    problem = Problem(team.as_rows(), pursuit_of(disk), objective)
+    for seed in range(STARTS // N_RANDOM):
+        uniforms = guess_uniforms(100 + seed, N_RANDOM, len(team))
+        search = Search(problem, DEFAULT_TOLERANCE, uniforms)
+        values.append(search.finish(search.run(0, N_RANDOM)).value)
     return max(values)
 
 

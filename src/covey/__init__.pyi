@@ -36,6 +36,7 @@ from .players import PatientPursuer as PatientPursuer
 from .players import RandomSequence as RandomSequence
 from .players import SmallestDanger as SmallestDanger
 from .players import StraightAway as StraightAway
+from .players import UncommittedPursuer as UncommittedPursuer
 from .players import WorstCase as WorstCase
 from .players import simulate as simulate
 from .players import worst_case as worst_case

@@ -10,7 +10,7 @@ import pytest
 from scipy.optimize import brentq, differential_evolution
 
 import covey
-from covey.kernels.maximum.fixed_sequence import latest_in_sequence
+from covey.kernels.maximum.fixed_sequence import latest_in_sequence, new_grids
 from covey.model.angles import wrap_angle
 from covey.planning.guarantee import pursuit_of
 from random_games import fleeing, random_game
@@ -96,7 +96,9 @@ def test_unlimited_turns_are_the_root_near_which_finer_and_finer_grids_end(count
         team = covey.Team(team.positions, team.headings, speed, math.inf)
         sequence = generator.permutation(count)
         plan = covey.plan_for_sequence(team, disk, sequence)
-        refined, _ = latest_in_sequence(team.as_rows(), pursuit_of(disk), sequence, 1e-9)
+        refined = np.zeros(count)
+        grids = new_grids(team.as_rows())
+        assert latest_in_sequence(pursuit_of(disk), sequence, 1e-9, grids, refined)
         times = covey.capture_times(team, disk, wrap_angle(refined), sequence)
         assert plan.survival_time == pytest.approx(times[-1], rel=1e-13)
         assert np.abs(wrap_angle(plan.turns - refined)).max() < 1e-6

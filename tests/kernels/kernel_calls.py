@@ -3,25 +3,30 @@
 from __future__ import annotations
 
 import math
-from functools import cache
 
 import numpy as np
 
-from covey.kernels.capture.path import PATH, position, set_paths, velocity
-from covey.kernels.capture.sequence import CAPTURE, add_curvature, capture_times, differentiate
-from covey.kernels.linalg.quadratic_program import quadratic_scratch, solve_quadratic
-from covey.kernels.linalg.symmetric import factorise, make_positive
-from covey.kernels.minimum.greedy_sequence import nearest_first, short_sequence
-from covey.kernels.minimum.last_capture import least_time, subset_scratch
-from covey.kernels.minimum.total_time import least_total, total_scratch
+from covey.kernels.capture.derivatives import (
+    CAPTURE_ROW,
+    Captures,
+    add_curvature,
+    differentiate,
+)
+from covey.kernels.capture.path import position, velocity
+from covey.kernels.capture.sequence import capture_times
+from covey.kernels.linalg import quadratic_program as qp
+from covey.kernels.linalg.symmetric import cholesky, make_positive
+from covey.kernels.maximum.values import minimum_over_sequences
+from covey.kernels.minimum.greedy_sequence import greedy_sequence, nearest_first
+from covey.model import PursuerDisk
+from covey.planning import guarantee
 from covey.planning.guarantee import pursuit_of
+from covey.planning.workspace import workspace
 
 
 def paths_of(team, turns, pursuer_speed=1.0):
     """The paths (eq. 5) as the kernels read them."""
-    paths = np.empty((len(team), PATH))
-    set_paths(team.as_rows(), np.asarray(turns, dtype=float), pursuer_speed, paths)
-    return paths
+    return guarantee.paths_of(team, PursuerDisk(speed=pursuer_speed), turns)
 
 
 def place(team, turns, i, time):
@@ -34,24 +39,25 @@ def motion(team, turns, i, time):
     return np.array(velocity(paths_of(team, turns), i, float(time)))
 
 
-_scratch = cache(subset_scratch)  # used again and again, as in a search
-_total_scratch = cache(total_scratch)
-
-
-def least(team, disk, turns, bound=math.inf, sequence=None):
+def least(team, disk, turns, bound=math.inf, sequence=None, total=False):
     """The least time below `bound`, else `bound`; the `sequence` that needs it, else as given."""
     n = len(team)
     found = np.zeros(n, np.int64) if sequence is None else np.array(sequence, np.int64)
     paths = paths_of(team, turns, disk.speed)
-    time, _ = least_time(paths, n, pursuit_of(disk), bound, found, _scratch(n))
-    return time, found
+    scratch = workspace(n, total)
+    value = minimum_over_sequences(paths, pursuit_of(disk), total, bound, found, scratch)
+    return value, found
 
 
-def short(team, disk, turns):
+def least_sum(team, disk, turns, bound=math.inf, sequence=None):
+    """As `least`, of the sum of all capture times."""
+    return least(team, disk, turns, bound, sequence, total=True)
+
+
+def greedy(team, disk, turns):
     """A sequence that is short at first sight, and its capture times."""
     order, times = np.empty(len(team), np.int64), np.empty(len(team))
-    paths = paths_of(team, turns, disk.speed)
-    last = short_sequence(paths, len(team), pursuit_of(disk), order, times)
+    last = greedy_sequence(paths_of(team, turns, disk.speed), pursuit_of(disk), order, times)
     assert last == times[-1]
     return order, times
 
@@ -59,17 +65,7 @@ def short(team, disk, turns):
 def nearest(team, disk, turns):
     """The last capture where whoever can be captured soonest is next."""
     order, times = np.empty(len(team), np.int64), np.empty(len(team))
-    paths = paths_of(team, turns, disk.speed)
-    return nearest_first(paths, len(team), pursuit_of(disk), -1, order, times)
-
-
-def least_sum(team, disk, turns, bound=math.inf, sequence=None):
-    """As `least`, of the sum of all capture times."""
-    n = len(team)
-    found = np.zeros(n, np.int64) if sequence is None else np.array(sequence, np.int64)
-    paths = paths_of(team, turns, disk.speed)
-    value, _ = least_total(paths, n, pursuit_of(disk), bound, found, _total_scratch(n))
-    return value, found
+    return nearest_first(paths_of(team, turns, disk.speed), pursuit_of(disk), -1, order, times)
 
 
 def times_of_sequences(team, disk, sequences):
@@ -89,18 +85,18 @@ def derivatives(team, disk, turns, sequence, total=False):
     n = len(team)
     paths, pursuit = paths_of(team, turns, disk.speed), pursuit_of(disk)
     order = np.array(sequence, np.int64)
-    times, captures, gradient = np.empty(n), np.empty((n, CAPTURE)), np.empty(n)
-    lower = np.zeros((n, n))
-    capture_times(paths, pursuit, order, times)
-    differentiate(paths, pursuit, order, total, times, captures, gradient)
-    add_curvature(paths, pursuit, order, times, captures, 1.0, np.empty((3, n)), lower)
+    gradient, lower = np.empty(n), np.zeros((n, n))
+    captures = Captures(np.empty(n), np.empty((n, CAPTURE_ROW)), np.empty((3, n)))
+    capture_times(paths, pursuit, order, captures.times)
+    differentiate(paths, pursuit, order, total, captures, gradient)
+    add_curvature(paths, pursuit, order, captures, 1.0, lower)
     return gradient, np.tril(lower) + np.tril(lower, -1).T
 
 
 def factor_of(matrix, floor=0.0):
     """The Cholesky factor (N, N) of a symmetric matrix, or None if it isn't positive definite."""
     factor = np.zeros_like(matrix)
-    found = factorise(np.tril(matrix), len(matrix), floor, factor)
+    found = cholesky(np.tril(matrix), len(matrix), floor, factor)
     return with_diagonal_inverted(factor) if found else None
 
 
@@ -116,21 +112,26 @@ def made_positive(matrix, floor=0.0):
     return np.tril(lower) + np.tril(lower, -1).T
 
 
-def best_step(values, gradients, factor, pull, low, high):
-    """What `solve_quadratic` finds: z, the step (N,) and the weights (M,)."""
+def best_step(values, gradients, factor, linear, lower, upper):
+    """What `solve_quadratic` finds: z, the step (N,) and the multipliers (M,)."""
     m, n = gradients.shape
-    step, weights = np.empty(n), np.empty(m)
-    least = solve_quadratic(
-        n,
-        m,
+    program = qp.QuadraticProgram(
         np.asarray(values, dtype=float),
         np.ascontiguousarray(gradients),
         with_diagonal_inverted(factor),
-        np.asarray(pull, dtype=float),
-        np.asarray(low, dtype=float),
-        np.asarray(high, dtype=float),
-        step,
-        weights,
-        quadratic_scratch(n, m),
+        np.asarray(linear, dtype=float),
+        np.asarray(lower, dtype=float),
+        np.asarray(upper, dtype=float),
     )
-    return least, step, weights
+    solution = qp.Solution(np.empty(n), np.empty(m))
+    scratch = qp.QuadraticScratch(
+        whitened=np.empty((m + 2 * n, n)),
+        active=np.empty(n + 2, np.int64),
+        multipliers=np.empty(n + 2),
+        gram=np.empty((n + 2, n + 2)),
+        ones=np.empty(n + 2),
+        direction=np.empty(n + 2),
+        combined=np.empty(n),
+    )
+    z = qp.solve_quadratic(program, solution, scratch)
+    return z, solution.step, solution.multipliers

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from covey.bounds.fixed_sequence import SequencePlan, plan_for_sequence
-from covey.kernels.maximum.fixed_sequence import first_captures, lay_grid, make_grid, next_captures
+from covey.kernels.maximum.fixed_sequence import first_captures, lay_grid, new_grid, next_captures
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Floats
 from covey.planning.guarantee import pursuit_of
@@ -48,7 +48,7 @@ def best_announcement(
 def _search(team: Team, disk: PursuerDisk) -> dict[tuple[int, ...], float]:
     """Return sequences and when they end, on the grid."""
     n, pursuit = len(team), pursuit_of(disk)
-    grid = make_grid(team.as_rows(), _HEADINGS)
+    grid = new_grid(team.as_rows(), _HEADINGS)
     lay_grid(grid, np.zeros(n), math.pi, disk.speed)
     before = np.empty(_HEADINGS, np.int64)
 

@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.bounds.root_search import root_near
-from covey.kernels.arrays import Pursuit
-from covey.kernels.maximum.fixed_sequence import latest_in_sequence
+from covey.kernels.capture.pursuit import Pursuit
+from covey.kernels.maximum.fixed_sequence import latest_in_sequence, new_grids
 from covey.model import PursuerDisk, Team
 from covey.model.angles import wrap_angle
 from covey.model.validation import Floats, Ints, permutation, read_only
@@ -120,8 +120,17 @@ def _latest(team: Team, pursuit: Pursuit, order: Ints) -> tuple[Floats, bool]:
     """Return the best turns, and whether they stand still."""
     evaders = team.as_rows()
     if np.isinf(team.turn_rates).all():
-        near, _ = latest_in_sequence(evaders, pursuit, order, _NEAR_ROOT)
+        near, _ = _closed_in(evaders, pursuit, order, _NEAR_ROOT)
         root = root_near(evaders, pursuit, order, near)
         if root is not None:
             return root, True
-    return latest_in_sequence(evaders, pursuit, order, _TURN_TOLERANCE)
+    return _closed_in(evaders, pursuit, order, _TURN_TOLERANCE)
+
+
+def _closed_in(
+    evaders: Floats, pursuit: Pursuit, order: Ints, tolerance: float
+) -> tuple[Floats, bool]:
+    """Return the best turns on ever finer grids, and whether they are known to the tolerance."""
+    turns = np.zeros(len(order))
+    settled = latest_in_sequence(pursuit, order, tolerance, new_grids(evaders), turns)
+    return turns, settled

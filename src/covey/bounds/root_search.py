@@ -6,8 +6,15 @@ import math
 
 import numpy as np
 
-from covey.kernels.arrays import Pursuit
-from covey.kernels.maximum.stationarity import stationarity
+from covey.kernels.capture.derivatives import (
+    CAPTURE_ROW,
+    Captures,
+    add_curvature,
+    differentiate,
+)
+from covey.kernels.capture.path import PATH, set_paths
+from covey.kernels.capture.pursuit import Pursuit
+from covey.kernels.capture.sequence import capture_times
 from covey.model.validation import Floats, Ints
 
 _FOUND = 1e-6
@@ -39,7 +46,7 @@ def root_near(evaders: Floats, pursuit: Pursuit, sequence: Ints, turns: Floats) 
         (N,) turns with a last capture no earlier; None where the search leads elsewhere.
     """
     root, shortest = turns.copy(), math.inf
-    first, gradient, hessian = stationarity(evaders, pursuit, sequence, root)
+    first, gradient, hessian = _stationarity(evaders, pursuit, sequence, root)
     last = first
     while True:
         # An evader that is captured where it stands has no say: its row is 0, and so is its step.
@@ -49,5 +56,19 @@ def root_near(evaders: Floats, pursuit: Pursuit, sequence: Ints, turns: Floats) 
             break
         root += step
         shortest = length
-        last, gradient, hessian = stationarity(evaders, pursuit, sequence, root)
+        last, gradient, hessian = _stationarity(evaders, pursuit, sequence, root)
     return root if shortest <= _FOUND and last >= first * (1.0 - _ROUNDING) else None
+
+
+def _stationarity(
+    evaders: Floats, pursuit: Pursuit, sequence: Ints, turns: Floats
+) -> tuple[float, Floats, Floats]:
+    """Return the last capture, its gradient (N,) by the turns, and its Hessian (N, N)."""
+    n = len(sequence)
+    paths, gradient, lower = np.empty((n, PATH)), np.empty(n), np.zeros((n, n))
+    captures = Captures(np.empty(n), np.empty((n, CAPTURE_ROW)), np.empty((3, n)))
+    set_paths(evaders, turns, pursuit.speed, paths)
+    last = capture_times(paths, pursuit, sequence, captures.times)
+    differentiate(paths, pursuit, sequence, False, captures, gradient)
+    add_curvature(paths, pursuit, sequence, captures, 1.0, lower)
+    return last, gradient, np.tril(lower) + np.tril(lower, -1).T

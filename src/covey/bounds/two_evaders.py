@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels.two_evaders import set_ceiling, set_ceilings, sweep
+from covey.kernels.two_evaders import Grid, set_upper_bound, set_upper_bounds, sweep
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.validation import Floats, frozen_array, number, read_only, whole_number
 
@@ -59,11 +59,11 @@ class TwoEvaderValue:
         turned = first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]
         opening = np.arctan2(np.abs(turned), (first * second).sum(axis=-1))
         balance = np.arctan2(distances[..., 1], distances[..., 0])
-        ceilings = np.empty(opening.size)
-        places = np.column_stack([distances.reshape(-1, 2), opening.ravel()])
-        set_ceilings(places, self.speeds[0], self.speeds[1], ceilings)
+        upper_bounds = np.empty(opening.size)
+        situations = np.column_stack([distances.reshape(-1, 2), opening.ravel()])
+        set_upper_bounds(situations, self.speeds[0], self.speeds[1], upper_bounds)
         cells = len(self.shares) - 1
-        return ceilings.reshape(opening.shape) * _between(
+        return upper_bounds.reshape(opening.shape) * _between(
             self.shares,
             0.5 * cells * (1.0 + _shrunk(balance / (math.pi / 4.0) - 1.0)),
             cells * _shrunk(opening / math.pi),
@@ -158,13 +158,14 @@ def _swept(speeds: Floats, shares: Floats, tolerance: float) -> tuple[Floats, in
     balances, balance_steps = _stretched(cells, -1.0, math.pi / 4.0)
     balances += math.pi / 4.0
     openings, opening_steps = _stretched(cells, 0.0, math.pi)
-    ceiling = np.empty(shares.shape)
-    set_ceiling(balances, openings, v1, v2, ceiling)
-    values = shares * ceiling
+    grid = Grid(balances, balance_steps, openings, opening_steps)
+    upper_bound = np.empty(shares.shape)
+    set_upper_bound(grid, v1, v2, upper_bound)
+    values = shares * upper_bound
     for count in range(1, _MOST_SWEEPS):
-        change = sweep(values, ceiling, balances, balance_steps, openings, opening_steps, v1, v2)
+        change = sweep(values, upper_bound, grid, v1, v2)
         if change < tolerance:
-            return values / ceiling, count
+            return values / upper_bound, count
     raise InputError(f"tolerance: expected a larger one, got {tolerance:g}: sweeps don't reach it")
 
 

@@ -50,7 +50,7 @@ class Canvas:
         if self.mode is None or episode is None:
             return
         state = episode.state
-        positions = {i: state.resting[i, :2] for i in self._trails if i != PURSUER}
+        positions = {i: state.capture_pose[i, :2] for i in self._trails if i != PURSUER}
         for i, row in zip(episode.living.tolist(), state.evaders, strict=False):
             positions[i] = row[[X, Y]]
         positions[PURSUER] = state.pursuer[:2]

@@ -96,7 +96,7 @@ class Setup:
     def rules(self) -> Rules:
         """The rules for the kernels; the pursuer has a position, also if it is hidden."""
         settings = Settings(self.sensing, self.update_time, 0, self.time_limit)
-        return settings.rules(self.disk_around(np.zeros(2), 0.0), placed=True)
+        return settings.rules(self.disk_around(np.zeros(2), 0.0), has_position=True)
 
     @cached_property
     def largest_turns(self) -> Floats:

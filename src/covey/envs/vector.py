@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -10,15 +11,14 @@ import numpy.typing as npt
 from covey.envs.actions import shares_of, velocities_of
 from covey.envs.batch import GameBatch, stacked
 from covey.envs.setup import STARTS, TEAM, InitialState
-from covey.kernels.maximum.multistart import search_scratch
-from covey.kernels.maximum.sqp import ascent_scratch
-from covey.kernels.maximum.working_set import Columns, make_columns
-from covey.kernels.play.batches import fly_pursuers, fly_teams
+from covey.kernels.maximum.working_set import WorkingSet, new_working_set
+from covey.kernels.play.batches import Commitments, fly_pursuers, fly_teams
 from covey.kernels.play.policy import TeamMemory
 from covey.model import InputError, LastCapture
 from covey.planning import plan
-from covey.planning.compiled_objective import aim_of
-from covey.planning.open_loop import start_noise
+from covey.planning.compiled_objective import compiled_objective
+from covey.planning.open_loop import guess_uniforms
+from covey.planning.workspace import workspace
 from covey.players import CommittedPursuer
 from covey.players.compiled import (
     BuiltInPursuer,
@@ -61,22 +61,25 @@ class PursuerVectorEnv(GameBatch):
             raise InputError(_not_compiled("evaders", evaders, "PursuerEnv"))
         super().__init__(num_envs, setup)
         n = self.setup.team_size
-        self._evaders, self._policy = evaders, evaders.compiled()
-        noise = start_noise(0, self._policy.restarts, n)
-        columns = Columns(*stacked(make_columns(n), num_envs))
-        noises, lasts = stacked([noise, np.zeros(2)], num_envs)
-        self._memories = TeamMemory(columns, noises, lasts, aim_of(LastCapture(), n))
-        self._scratch = search_scratch(n)
+        self._evaders, self._options = evaders, evaders.compiled()
+        uniforms = guess_uniforms(0, self._options.restarts, n)
+        all_uniforms, lasts = stacked([uniforms, np.zeros(2)], num_envs)
+        self._memories = TeamMemory(
+            WorkingSet(*stacked(new_working_set(n), num_envs)),
+            all_uniforms,
+            lasts,
+            compiled_objective(LastCapture(), n),
+        )
 
     def begin_opponent(self, b: int, initial: InitialState, seed: int) -> float:
         """Plan, and keep the memory from which replanning starts."""
         team, known = self.setup.team(initial), self.setup.known_at_start(initial)
         first = plan(team, known, seed=seed, starts=self._evaders.starts)
         self.states.turns[b] = first.turns
-        columns, noise, last, _ = first_memory(first, seed, self._policy.restarts)
-        for ours, new in zip(self._memories.columns, columns, strict=True):
+        memory = first_memory(first, seed, self._options.restarts)
+        for ours, new in zip(self._memories.working_set, memory.working_set, strict=True):
             ours[b] = new
-        self._memories.noise[b], self._memories.last[b] = noise, last
+        self._memories.uniforms[b], self._memories.last[b] = memory.uniforms, memory.last
         return first.survival_time
 
     def fly(self, actions: npt.ArrayLike) -> None:
@@ -86,9 +89,9 @@ class PursuerVectorEnv(GameBatch):
             self.states,
             self.setup.rules,
             velocities,
-            self._policy,
+            self._options,
             self._memories,
-            self._scratch,
+            workspace(self.setup.team_size),
         )
 
 
@@ -125,17 +128,19 @@ class TeamVectorEnv(GameBatch):
         super().__init__(num_envs, setup)
         n = self.setup.team_size
         self._pursuer = pursuer
-        self._sequences = np.zeros((num_envs, n), np.int64)
-        self._followed = np.zeros(num_envs, np.int64)
-        self._scratch, self._times = ascent_scratch(n), np.empty(n)
+        # The margin is the same for each game.
+        self._commitments = Commitments(
+            math.inf, np.zeros((num_envs, n), np.int64), np.zeros(num_envs, np.int64)
+        )
 
     def begin_opponent(self, b: int, initial: InitialState, seed: int) -> float:
         """Set the sequence that the pursuer of game b follows at first, if any."""
         team, known = self.setup.team(initial), self.setup.known_at_start(initial)
         point = self.setup.disk_around(initial.pursuer, 0.0)
-        self._margin, self._sequences[b], self._followed[b] = self._pursuer.commitment(
-            team, point, seed
+        margin, self._commitments.sequences[b], self._commitments.chosen[b] = (
+            self._pursuer.commitment(team, point, seed)
         )
+        self._commitments = self._commitments._replace(margin=margin)
         return plan(team, known, seed=seed, starts=STARTS).survival_time
 
     def fly(self, actions: npt.ArrayLike) -> None:
@@ -145,11 +150,8 @@ class TeamVectorEnv(GameBatch):
             self.states,
             self.setup.rules,
             shares * self.setup.largest_turns,
-            self._margin,
-            self._sequences,
-            self._followed,
-            self._times,
-            self._scratch,
+            self._commitments,
+            workspace(self.setup.team_size),
         )
 
 

@@ -2,32 +2,50 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple, TypeGuard
 
-from covey.kernels.maximum.multistart import search_scratch
-from covey.kernels.play import game
-from covey.model import LastCapture, Objective, PursuerDisk, Team
-from covey.model.validation import Floats, Ints
+from covey.kernels.play.game import GameLog, allocate_log, cut_log, grow_log, play
+from covey.model import Objective, PursuerDisk, Team, objective_value
 from covey.planning import Plan, plan
 from covey.planning.guarantee import check_game, longest_game
-from covey.players.pursuers.committed import CommittedPursuer, PatientPursuer
+from covey.planning.workspace import workspace
+from covey.players.pursuers.committed import CommittedPursuer
 from covey.players.pursuers.fixed_order import BestSequence, FixedSequence, RandomSequence
 from covey.players.teams.open_loop import IterativeOpenLoop, OpenLoop, first_memory
-from covey.simulation import Settings
+from covey.simulation import Game, Outcome, Settings
+from covey.simulation.build_record import GameSetup, build_record
 from covey.simulation.settings import first_state
 
 BuiltInTeam = OpenLoop | IterativeOpenLoop
-BuiltInPursuer = CommittedPursuer | PatientPursuer | FixedSequence | BestSequence | RandomSequence
+BuiltInPursuer = CommittedPursuer | FixedSequence | BestSequence | RandomSequence
+
+_FIRST_ROWS = 256
 
 
 class Played(NamedTuple):
-    """What comes out of a compiled game."""
+    """A compiled game that was played."""
 
+    setup: GameSetup
     plan: Plan  # the first
-    order: Ints  # (C,) the captured
-    times: Floats  # (C,)
-    pages: game.Pages
-    written: int  # pages; none unless the game was recorded
+    log: GameLog  # without rows unless the game was recorded
+
+    def record(self) -> Game:
+        """Return the record of a game that was recorded."""
+        return build_record(self.setup, self.log)
+
+    def outcome(self) -> Outcome:
+        """Return what came of the game."""
+        log = cut_log(self.log)
+        times, done = log.capture_times, len(log.order) == len(self.setup.team)
+        return Outcome(
+            self.plan.survival_time,
+            float(times[-1]) if done else math.inf,
+            self.plan.value,
+            objective_value(self.setup.settings.objective, times) if done else math.inf,
+            log.order,
+            times,
+        )
 
 
 def team_is_built_in(evaders: object) -> TypeGuard[BuiltInTeam]:
@@ -47,7 +65,7 @@ def checked_settings(
     update_time: float,
     seed: int,
     time_limit: float | None,
-    objective: Objective = LastCapture(),  # noqa: B008 frozen
+    objective: Objective,
 ) -> Settings:
     """Return the settings of a game; raise InputError if it can't be played."""
     check_game(team, disk)
@@ -64,24 +82,18 @@ def play_compiled(
     *,
     recorded: bool,
 ) -> Played:
-    """Play a game; with `recorded`, write a page at every decision."""
-    n, policy = len(team), evaders.compiled()
-    margin, sequence, known = pursuer.commitment(team, disk, settings.seed)
-    first = plan(
-        team, disk, objective=settings.objective, seed=settings.seed, starts=evaders.starts
-    )
-    memory = first_memory(first, settings.seed, policy.restarts)
-    state = first_state(team, disk)
+    """Play a game; with `recorded`, log its course."""
+    n, objective, team_options = len(team), settings.objective, evaders.compiled()
+    commitment = pursuer.commitment(team, disk, settings.seed)
+    first = plan(team, disk, objective=objective, seed=settings.seed, starts=evaders.starts)
+    memory = first_memory(first, settings.seed, team_options.restarts)
+    state, rules = first_state(team, disk), settings.rules(disk)
     state.turns[:] = first.turns
-    captured, order, times, count, pages = game.play(
-        state,
-        settings.rules(disk),
-        policy,
-        memory,
-        margin,
-        sequence,
-        known,
-        recorded,
-        search_scratch(n, memory.aim.total),
+    log, scratch = (
+        allocate_log(_FIRST_ROWS if recorded else 0, n),
+        workspace(n, memory.objective.total),
     )
-    return Played(first, order[:captured], times[:captured], pages, count)
+    while not play(state, rules, team_options, memory, commitment, log, scratch):
+        log, commitment = grow_log(log), commitment._replace(is_chosen=True)
+    strategies = {"evaders": evaders.describe(), "pursuer": pursuer.describe()}
+    return Played(GameSetup(team, disk, settings, strategies), first, log)

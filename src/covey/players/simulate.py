@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TypedDict, Unpack
 
 from covey.model import LastCapture, Objective, PursuerDisk, Team
 from covey.players.compiled import (
+    Played,
     checked_settings,
     play_compiled,
     pursuer_is_built_in,
@@ -15,13 +16,13 @@ from covey.players.pursuers.committed import CommittedPursuer
 from covey.players.teams.open_loop import IterativeOpenLoop
 from covey.simulation import (
     Game,
+    Outcome,
     PursuerPolicy,
     PursuerStrategy,
     TeamPolicy,
     TeamStrategy,
     play,
 )
-from covey.simulation.build_record import assemble
 
 
 def simulate(
@@ -58,8 +59,8 @@ def simulate(
     objective
         What the team makes large and the pursuer small, where their strategies mind: `OpenLoop`,
         `IterativeOpenLoop` and `ConstantHeading` (see `covey.plan`), `CommittedPursuer`,
-        `PatientPursuer` and `FlyingPursuer`. A pursuer doesn't reckon with expectations: it makes
-        small what is measured.
+        `UncommittedPursuer` and `FlyingPursuer`. A pursuer doesn't reckon with expectations: it
+        makes small what is measured.
 
     Returns
     -------
@@ -72,11 +73,71 @@ def simulate(
     InputError
         If an argument can't be used, or a strategy decides what it can't.
     """
-    settings = checked_settings(team, disk, sensing, update_time, seed, time_limit, objective)
-    if not (team_is_built_in(evaders) and pursuer_is_built_in(pursuer)):
-        return play(team, disk, evaders, pursuer, settings)
-    played = play_compiled(team, disk, evaders, pursuer, settings, recorded=True)
-    strategies: dict[str, Any] = {"evaders": evaders.describe(), "pursuer": pursuer.describe()}
-    return assemble(
-        team, disk, settings, strategies, played.order, played.times, played.pages, played.written
+    options = Options(
+        evaders=evaders,
+        pursuer=pursuer,
+        sensing=sensing,
+        update_time=update_time,
+        seed=seed,
+        time_limit=time_limit,
+        objective=objective,
     )
+    played = _play(team, disk, options, recorded=True)
+    return played if isinstance(played, Game) else played.record()
+
+
+class Options(TypedDict, total=False):
+    """The keyword arguments of `simulate`."""
+
+    evaders: TeamStrategy | TeamPolicy
+    pursuer: PursuerStrategy | PursuerPolicy
+    sensing: str
+    update_time: float
+    seed: int
+    time_limit: float | None
+    objective: Objective
+
+
+def survival(team: Team, disk: PursuerDisk, **options: Unpack[Options]) -> Outcome:
+    """Play the game that `simulate` plays, to the last bit, and keep no record of its course.
+
+    Parameters
+    ----------
+    team, disk, options
+        See `simulate`.
+
+    Returns
+    -------
+    Outcome
+        What the record of the game would say.
+    """
+    return _play(team, disk, options, recorded=False).outcome()
+
+
+_DEFAULTS = Options(
+    evaders=IterativeOpenLoop(),
+    pursuer=CommittedPursuer(),
+    sensing="hidden",
+    update_time=0.01,
+    seed=0,
+    time_limit=None,
+    objective=LastCapture(),
+)
+
+
+def _play(team: Team, disk: PursuerDisk, given: Options, *, recorded: bool) -> Played | Game:
+    """Play a game; a compiled game is logged only where it is `recorded`."""
+    options = _DEFAULTS | given
+    evaders, pursuer = options["evaders"], options["pursuer"]
+    settings = checked_settings(
+        team,
+        disk,
+        options["sensing"],
+        options["update_time"],
+        options["seed"],
+        options["time_limit"],
+        options["objective"],
+    )
+    if team_is_built_in(evaders) and pursuer_is_built_in(pursuer):
+        return play_compiled(team, disk, evaders, pursuer, settings, recorded=recorded)
+    return play(team, disk, evaders, pursuer, settings)

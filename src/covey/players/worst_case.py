@@ -10,13 +10,13 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import NamedTuple
 
-from covey.kernels.maximum.multistart import search_scratch
 from covey.kernels.play.policy import TeamMemory
 from covey.kernels.play.rules import State
-from covey.kernels.play.to_capture import play_to_capture, promise
+from covey.kernels.play.to_capture import guaranteed_value, play_to_capture
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team, objective_value
 from covey.model.validation import number
 from covey.planning import plan
+from covey.planning.workspace import workspace
 from covey.players.compiled import BuiltInTeam, checked_settings, team_is_built_in
 from covey.players.pursuers.delayed import DelayedSequence
 from covey.players.teams.open_loop import IterativeOpenLoop, first_memory
@@ -174,7 +174,7 @@ class _Tree:
         state = first_state(team, disk)
         state.turns[:] = first.turns
         memory = first_memory(first, settings.seed, self._policy.restarts)
-        self._scratch = search_scratch(n, memory.aim.total)
+        self._workspace = workspace(n, memory.objective.total)
         self._root = _Node((), state, memory, first.value)
         self.worst: tuple[Capture, ...] = ()
         self._least = math.inf
@@ -197,7 +197,7 @@ class _Tree:
     def _children(self, node: _Node) -> Iterator[_Node]:
         for row, delay in itertools.product(range(int(node.state.alive[0])), self._delays):
             state, memory = deepcopy(node.state), deepcopy(node.memory)
-            taken = int(state.ids[row])
+            captured = int(state.ids[row])
             if not play_to_capture(
                 state,
                 self._rules,
@@ -205,11 +205,11 @@ class _Tree:
                 memory,
                 row,
                 delay,
-                self._scratch,
+                self._workspace,
             ):
                 raise _too_many_updates(self._rules.update_time)
             self.flights += 1
-            captures = (*node.captures, Capture(taken, float(state.time[0]), delay))
+            captures = (*node.captures, Capture(captured, float(state.time[0]), delay))
             yield _Node(captures, state, memory, self._promised(captures, state, memory))
 
     def _promised(self, captures: tuple[Capture, ...], state: State, memory: TeamMemory) -> float:
@@ -217,10 +217,10 @@ class _Tree:
 
         The living survive until now at least; a plan for an expectation promises no more.
         """
-        alive, total = int(state.alive[0]), memory.aim.total
+        alive, total = int(state.alive[0]), memory.objective.total
         promised = float(state.time[0]) * (alive if total else 1)
-        if alive > 0 and not memory.aim.expected:
-            promised = promise(state, self._rules, total, self._scratch)
+        if alive > 0 and not memory.objective.expected:
+            promised = guaranteed_value(state, self._rules, total, self._workspace)
         return promised + (sum(capture.time for capture in captures) if total else 0.0)
 
 

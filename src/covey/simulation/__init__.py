@@ -1,7 +1,7 @@
 """The one set of rules, the loop that plays a game, and the record of what happened."""
 
 from covey.simulation.loop import play
-from covey.simulation.record import Game, GameStatus
+from covey.simulation.record import Game, GameStatus, Outcome
 from covey.simulation.settings import Settings
 from covey.simulation.storage import load_game, save_game
 from covey.simulation.strategy import (
@@ -19,6 +19,7 @@ __all__ = [
     "Fly",
     "Game",
     "GameStatus",
+    "Outcome",
     "PursuerPolicy",
     "PursuerStrategy",
     "Settings",

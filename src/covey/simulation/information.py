@@ -16,7 +16,7 @@ from covey.simulation.strategy import Chase, Fly, Situation
 _NO_ROWS = np.empty(0, np.int64)
 
 
-def told_to_team(
+def team_information(
     state: State,
     disk: PursuerDisk,
     objective: Objective = LastCapture(),  # noqa: B008 frozen
@@ -34,16 +34,16 @@ def told_to_team(
     )
 
 
-def told_to_pursuer(team_knows: Situation, state: State, *, flies: bool) -> Situation:
-    """Return that with the turns that were announced since and, if the pursuer `flies`, its place.
+def pursuer_information(team_knows: Situation, state: State, *, moves: bool) -> Situation:
+    """Return the same with the announced turns and, if the pursuer `moves`, its position.
 
-    Where the game began with a disk, one that is seen has no place before it first moves.
+    Where the game began with a disk, a visible pursuer has no position before it first moves.
     """
-    placed = flies and state.pursuer[2] == 0.0
+    has_position = moves and state.pursuer[2] == 0.0
     return replace(
         team_knows,
         turns=read_only(state.turns[: len(team_knows.turns)].copy()),
-        place=read_only(state.pursuer[:2].copy()) if placed else None,
+        place=read_only(state.pursuer[:2].copy()) if has_position else None,
     )
 
 
@@ -59,18 +59,18 @@ def checked_turns(turns: object, alive: int) -> Floats:
 
 
 def checked_decision(
-    decision: object, living: Sequence[int], disk: PursuerDisk, *, flies: bool
+    decision: object, living: Sequence[int], disk: PursuerDisk, *, moves: bool
 ) -> tuple[Ints, int, tuple[float, float]]:
     """Return what the pursuer decided: the rows of the living that it means to capture, in order.
 
     Then, as the rules take it, the row that it makes for, or `NOBODY`, and the velocity that it
-    flies then. One that doesn't fly is a disk and can only wait.
+    flies then. One that doesn't move is a disk and can only wait.
     """
     if isinstance(decision, Chase):
         rows = _chosen_rows(decision, living)
         return rows, int(rows[0]), (0.0, 0.0)
     if isinstance(decision, Fly):
-        return _NO_ROWS, NOBODY, _chosen_velocity(decision, disk, flies=flies)
+        return _NO_ROWS, NOBODY, _chosen_velocity(decision, disk, moves=moves)
     raise InputError(f"pursuer's decision: expected Chase or Fly, got {decision!r}")
 
 
@@ -83,12 +83,12 @@ def _chosen_rows(chase: Chase, living: Sequence[int]) -> Ints:
     return np.array([living.index(i) for i in sequence], dtype=np.int64)
 
 
-def _chosen_velocity(fly: Fly, disk: PursuerDisk, *, flies: bool) -> tuple[float, float]:
+def _chosen_velocity(fly: Fly, disk: PursuerDisk, *, moves: bool) -> tuple[float, float]:
     velocity = frozen_array("Fly.velocity", fly.velocity, (2,))
     speed = float(np.hypot(*velocity))
     if speed > disk.speed * (1.0 + 1e-12):
         raise InputError(f"Fly: expected a speed of at most {disk.speed:g}, got {speed:g}")
-    if not flies and speed > 0.0:
+    if not moves and speed > 0.0:
         raise InputError(
             "Fly: a hidden pursuer is known as a disk only and can't be steered; "
             "return Chase((...)) to name its next target, or Fly() to wait, or give its "

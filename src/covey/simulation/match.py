@@ -4,17 +4,25 @@ from __future__ import annotations
 
 import numpy as np
 
-from covey.kernels.maximum.sqp import ascent_scratch
-from covey.kernels.play.game import blank_pages, more_pages, write_page
-from covey.kernels.play.rules import MOST_UPDATES, NOBODY, announce, flies, fly, remove
+from covey.kernels.play.game import (
+    ROWS,
+    UPDATES,
+    allocate_log,
+    grow_log,
+    is_over,
+    log_capture,
+    write_row,
+)
+from covey.kernels.play.rules import NOBODY, announce, fly, moves
 from covey.model import PursuerDisk, Team
-from covey.planning.compiled_objective import aim_of
-from covey.simulation.build_record import assemble
+from covey.planning.compiled_objective import compiled_objective
+from covey.planning.workspace import workspace
+from covey.simulation.build_record import GameSetup, build_record
 from covey.simulation.information import (
     checked_decision,
     checked_turns,
-    told_to_pursuer,
-    told_to_team,
+    pursuer_information,
+    team_information,
 )
 from covey.simulation.record import Game
 from covey.simulation.settings import Settings, first_state
@@ -53,39 +61,30 @@ class Match:
         pursuer: PursuerStrategy | PursuerPolicy,
         settings: Settings,
     ) -> None:
-        aim_of(settings.objective, len(team))  # whether it fits is known before anybody flies
-        self._team, self._disk, self._settings = team, disk, settings
+        compiled_objective(settings.objective, len(team))  # an error before anybody flies
+        self._disk, self._settings = disk, settings
         self._plan = policy_of("evaders", evaders, settings.seed)
         self._decide = policy_of("pursuer", pursuer, settings.seed)
-        self._strategies = {"evaders": description(evaders), "pursuer": description(pursuer)}
-        place = place_of(pursuer, disk)
-        self._rules = settings.rules(disk, placed=place is not None)
-        self._flies = flies(self._rules)
-        self._state = first_state(team, disk, place)
-        self._updates = 0
-        self._pages, self._written = blank_pages(256, len(team)), 0
-        self._scratch = ascent_scratch(len(team))
-        self._order: list[int] = []
-        self._times: list[float] = []
+        strategies = {"evaders": description(evaders), "pursuer": description(pursuer)}
+        position = place_of(pursuer, disk)
+        self._setup = GameSetup(team, disk, settings, strategies, position is not None)
+        self._rules = settings.rules(disk, has_position=position is not None)
+        self._moves = moves(self._rules)
+        self._state = first_state(team, disk, position)
+        self._log = allocate_log(256, len(team))
         self._announce_plan()
 
     @property
     def over(self) -> bool:
         """Whether everybody is captured, or the game was stopped at a limit."""
-        return bool(
-            self._state.alive[0] == 0
-            or self._state.time[0] >= self._rules.time_limit
-            or self._updates >= MOST_UPDATES
-        )
+        return is_over(self._log, self._state, self._rules)
 
     def step(self) -> None:
         """Let the pursuer decide, fly until the next update or capture, and let the team plan."""
-        self._updates += 1
-        taken = self._fly()
-        if taken != NOBODY:
-            self._order.append(int(self._state.ids[taken]))
-            self._times.append(float(self._state.time[0]))
-            remove(self._state, taken)
+        self._log.counters[UPDATES] += 1
+        captured_row = self._fly()
+        if captured_row != NOBODY:
+            log_capture(self._log, self._state, captured_row)
         if self.over:
             announce(self._state, self._rules)
             self._write()
@@ -94,37 +93,26 @@ class Match:
 
     def record(self) -> Game:
         """Return what has happened until now."""
-        return assemble(
-            self._team,
-            self._disk,
-            self._settings,
-            self._strategies,
-            np.array(self._order, dtype=np.int64),
-            np.array(self._times),
-            self._pages,
-            self._written,
-            placed=self._rules.placed,
-        )
+        return build_record(self._setup, self._log)
 
     def _announce_plan(self) -> None:
         alive = int(self._state.alive[0])
-        self._known = told_to_team(self._state, self._disk, self._settings.objective)
+        self._known = team_information(self._state, self._disk, self._settings.objective)
         self._state.turns[:alive] = checked_turns(self._plan(self._known), alive)
         announce(self._state, self._rules)
         self._write()
 
     def _fly(self) -> int:
-        """Fly what the pursuer decides, and return the row of whom it took."""
+        """Fly what the pursuer decides, and return the captured row."""
         state = self._state
-        decision = self._decide(told_to_pursuer(self._known, state, flies=self._flies))
+        decision = self._decide(pursuer_information(self._known, state, moves=self._moves))
         rows, target, velocity = checked_decision(
-            decision, self._known.evaders, self._disk, flies=self._flies
+            decision, self._known.evaders, self._disk, moves=self._moves
         )
-        self._pages.intended[self._written - 1, : len(rows)] = state.ids[rows]
+        self._log.intended[self._log.counters[ROWS] - 1, : len(rows)] = state.ids[rows]
         return fly(state, self._rules, target, *velocity)
 
     def _write(self) -> None:
-        if self._written == len(self._pages.times):
-            self._pages = more_pages(self._pages)
-        page, self._written = self._written, self._written + 1
-        write_page(self._pages, page, self._state, self._rules, _NO_ROWS, 0, self._scratch)
+        if self._log.counters[ROWS] == len(self._log.times):
+            self._log = grow_log(self._log)
+        write_row(self._log, self._state, self._rules, _NO_ROWS, workspace(len(self._setup.team)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any
+from typing import Any, NamedTuple
 
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Floats, Ints
@@ -17,6 +17,29 @@ class GameStatus(StrEnum):
     ALL_CAPTURED = "every evader was captured"
     TIME_LIMIT = "stopped at the time limit with evaders alive; raise time_limit to play on"
     UPDATE_LIMIT = "stopped after 200 000 updates with evaders alive; raise update_time to play on"
+
+
+class Outcome(NamedTuple):
+    """What came of a game.
+
+    Attributes
+    ----------
+    guarantee : float
+        Survival time that the first plan guaranteed.
+    survival_time : float
+        Time of the last capture; inf if the game was stopped before it.
+    planned_value, value : float
+        What the first plan made of the objective, and what came of it.
+    capture_sequence, capture_times : numpy.ndarray
+        (C,) evaders in the order of their capture, and when.
+    """
+
+    guarantee: float
+    survival_time: float
+    planned_value: float
+    value: float
+    capture_sequence: Ints
+    capture_times: Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,3 +119,14 @@ class Game:
     pursuer_positions: Floats
     disk_centers: Floats
     disk_radii: Floats
+
+    def outcome(self) -> Outcome:
+        """Return what came of the game, without its course."""
+        return Outcome(
+            self.guarantee,
+            self.survival_time,
+            self.planned_value,
+            self.value,
+            self.capture_sequence,
+            self.capture_times,
+        )

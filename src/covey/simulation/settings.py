@@ -53,15 +53,15 @@ class Settings:
             number("time_limit", self.time_limit, low=0.0, strictly=True)
         checked_objective(self.objective)
 
-    def rules(self, disk: PursuerDisk, *, placed: bool = False) -> Rules:
-        """Return the rules as the kernels see them; `placed` where the pursuer brings a place."""
+    def rules(self, disk: PursuerDisk, *, has_position: bool = False) -> Rules:
+        """Return the rules as the kernels see them, see there for `has_position`."""
         return Rules(
             disk.speed,
             disk.capture_radius,
             self.sensing == "hidden",
             float(self.update_time),
             float(self.time_limit),
-            placed,
+            has_position,
         )
 
 

@@ -19,7 +19,7 @@ def test_is_a_sequence_with_its_times(count, mixed):
     for _ in range(20):
         team, disk = random_game(generator, count, radius=0.1, capture_radius=0.02, mixed=mixed)
         turns = random_turns(generator, count)
-        order, times = kernel_calls.short(team, disk, turns)
+        order, times = kernel_calls.greedy(team, disk, turns)
         assert times.tolist() == covey.capture_times(team, disk, turns, order).tolist()
         assert times[-1] <= kernel_calls.nearest(team, disk, turns)
 
@@ -32,7 +32,7 @@ def test_is_much_shorter_than_nearest_first():
         team, disk = random_game(generator, 16)
         turns = 0.15 * random_turns(generator, 16)
         least = covey.guaranteed_survival(team, disk, turns).time
-        short = kernel_calls.short(team, disk, turns)[1][-1]
+        short = kernel_calls.greedy(team, disk, turns)[1][-1]
         excess.append((kernel_calls.nearest(team, disk, turns) / least - 1.0, short / least - 1.0))
     nearest, short = np.mean(excess, axis=0)
     assert short < 0.5 * nearest

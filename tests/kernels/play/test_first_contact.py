@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from covey.kernels.capture.path import PATH, set_paths
-from covey.kernels.play.first_contact import first_contact
+from covey.kernels.play.first_contact import Flight, first_contact
 from simulation.reference_flight import fly
 
 SAMPLES = 2000
@@ -38,7 +38,8 @@ class Pass:
         """What the kernel says."""
         paths = np.empty((1, PATH))
         set_paths(self.evader[None], np.array([self.turn]), 1.0, paths)
-        return first_contact(paths, 0, *self.place, *self.velocity, self.reach, self.latest)
+        flight = Flight(*self.place, *self.velocity, self.reach)
+        return first_contact(paths, 0, flight, self.latest)
 
     def sampled(self):
         """The first sample within reach, made exact by bisection; inf where there is none."""

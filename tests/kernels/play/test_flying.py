@@ -181,7 +181,7 @@ def test_who_is_captured_rests_where_it_was_and_the_others_close_up():
     assert state.ids[:3].tolist() == [0, 2, 3]
     assert state.evaders[:3, X].tolist() == [0.0, 2.0, 3.0]
     assert state.turns[:3].tolist() == [0.0, 0.2, 0.3]
-    assert state.resting[1].tolist() == [1.0, 0.5, 0.25]
+    assert state.capture_pose[1].tolist() == [1.0, 0.5, 0.25]
     remove(state, 2)
     assert state.ids[:2].tolist() == [0, 2]
-    assert state.resting[3].tolist() == [3.0, 0.5, 0.25]
+    assert state.capture_pose[3].tolist() == [3.0, 0.5, 0.25]

@@ -24,7 +24,7 @@ class Commitments(NamedTuple):
 
     margin: float
     sequences: Ints  # (B, N)
-    known: Ints  # (B,) 0 where a pursuer has no sequence yet
+    chosen: Ints  # (B,) 0 where a pursuer has no sequence yet
 
 
 @compiled
@@ -89,9 +89,9 @@ def fly_teams(
             state.turns[row] = turns[b, state.ids[row]]
         announce(state, rules)
         sequence = pursuers.sequences[b, :n]
-        commitment = Commitment(pursuers.margin, sequence, pursuers.known[b] != 0)
+        commitment = Commitment(pursuers.margin, sequence, pursuers.chosen[b] != 0)
         commit(state.paths[:n], pursuit_from(state.pursuer, rules), False, commitment, workspace)
-        pursuers.known[b] = 1
+        pursuers.chosen[b] = 1
         captured_row = fly(state, rules, sequence[0], 0.0, 0.0)
         if captured_row != NOBODY:
             without(sequence, captured_row, sequence)

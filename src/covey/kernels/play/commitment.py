@@ -18,7 +18,7 @@ class Commitment(NamedTuple):
 
     margin: float  # relative gain for which it changes the sequence; inf: never
     sequence: Ints  # (N,) rows of the living; modified in place
-    is_known: bool  # whether it has this sequence, or begins with the best
+    is_chosen: bool  # False: it begins with the best sequence, and `sequence` holds nothing
 
 
 @compiled
@@ -38,7 +38,7 @@ def commit(
     scratch = search_scratch(workspace).ascent
     n, bound = len(paths), math.inf
     sequence, times = commitment.sequence[:n], scratch.here.times[0, :n]
-    if commitment.is_known:
+    if commitment.is_chosen:
         capture_times(paths, pursuit, sequence, times)
         bound = objective_value(times, total) * (1.0 - commitment.margin)
     if bound > 0.0:

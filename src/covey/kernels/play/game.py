@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels._jit import compiled, inlined
+from covey.kernels._jit import compiled
 from covey.kernels.arrays import Floats, Ints, Workspace
 from covey.kernels.capture.path import HEADING, X, Y
 from covey.kernels.maximum.multistart import search_scratch
@@ -116,7 +116,7 @@ def write_row(
             log.critical[row, k] = state.ids[worst[k]]
 
 
-@inlined
+@compiled
 def is_over(log: GameLog, state: State, rules: Rules) -> bool:
     """Return whether everybody is captured, or the game is stopped at a limit."""
     in_time = state.time[0] < rules.time_limit and log.counters[UPDATES] < MOST_UPDATES
@@ -158,7 +158,7 @@ def play(
     team, memory
         How the team replans, and what it remembers; the memory is modified in place.
     commitment
-        The pursuer's sequence, modified in place. `is_known` must be true where a game goes on.
+        The pursuer's sequence, modified in place. `is_chosen` must be true where a game goes on.
     log
         Modified in place. A log without rows keeps the captures only.
     workspace

@@ -4,24 +4,15 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels.maximum.sqp import ascent_scratch
-from covey.kernels.play.replanning import commit
+from covey.kernels.play.commitment import Commitment, commit
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Ints
 from covey.planning.guarantee import paths_of, pursuit_of
+from covey.planning.workspace import workspace
 from covey.simulation import Chase, PursuerPolicy, Situation
-
-
-class Commitment(NamedTuple):
-    """To which sequence a pursuer is committed, and how strongly."""
-
-    margin: float  # relative gain for which it takes another sequence; inf: it never does
-    sequence: Ints  # (N,) rows of the team
-    is_chosen: bool  # False: it begins with the best sequence, and `sequence` holds nothing
 
 
 class CommittingPursuer(ABC):
@@ -66,14 +57,10 @@ class SequenceFollower:
         disk, total = situation.pursuer, situation.objective.measure == "total"
         commit(
             paths_of(situation.team, disk, situation.turns),
-            n,
             pursuit_of(disk),
             total,
-            self._margin,
-            bool(followed),
-            sequence,
-            np.empty(n),
-            ascent_scratch(n, total),
+            Commitment(self._margin, sequence, bool(followed)),
+            workspace(n, total),
         )
         self._sequence = tuple(living[row] for row in sequence)
         return Chase(self._sequence)

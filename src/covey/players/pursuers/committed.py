@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from covey.kernels.play.commitment import Commitment
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.validation import Floats, frozen_array, number
-from covey.players.pursuers.commitment import Commitment, CommittingPursuer
+from covey.players.pursuers.commitment import CommittingPursuer
 from covey.simulation import PursuerPolicy
 
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from covey.kernels.play.to_capture import holds, is_due
+from covey.kernels.play.to_capture import contains, is_due
 from covey.model import InputError
 from covey.model.validation import checked_sequence, number
 from covey.simulation import Chase, Fly, PursuerPolicy, Situation
@@ -54,16 +54,16 @@ class DelayedSequence:
 
     def start(self, seed: int) -> PursuerPolicy:  # noqa: ARG002 the protocol's signature
         """Return the policy of one game."""
-        held_since: dict[int, float] = {}
+        contained_since: dict[int, float] = {}
 
         def decide(situation: Situation) -> Chase | Fly:
             n = len(situation.evaders)
             target, delay = self.sequence[-n], self.delays[-n]
             disk = situation.disk
             x, y = situation.team.positions[situation.evaders.index(target)]
-            if holds(x, y, disk.center[0], disk.center[1], disk.radius + disk.capture_radius):
-                held_since.setdefault(target, situation.time)
-            due = is_due(situation.time, held_since.get(target, math.inf), delay)
+            if contains(disk.center[0], disk.center[1], disk.radius + disk.capture_radius, x, y):
+                contained_since.setdefault(target, situation.time)
+            due = is_due(situation.time, contained_since.get(target, math.inf), delay)
             return Chase(self.sequence[-n:]) if due else Fly()
 
         return decide

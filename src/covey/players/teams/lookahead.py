@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels.capture.chases import earliest_captures
+from covey.kernels.capture.interception import earliest_captures
 from covey.kernels.capture.path import PATH, sample, set_paths
+from covey.kernels.capture.pursuit import GrowingDisk
 from covey.model import PursuerDisk
 from covey.model.validation import Floats
 from covey.planning.guarantee import paths_of
@@ -40,7 +41,8 @@ def captured_at(paths: Floats, disk: PursuerDisk, begin: float = 0.0) -> Floats:
     """Return the earliest capture times (K,) of paths, for a pursuer in `disk` at time `begin`."""
     times = np.empty(len(paths))
     x, y = disk.center.tolist()
-    earliest_captures(paths, x, y, disk.radius + disk.capture_radius, begin, disk.speed, times)
+    radius = disk.radius + disk.capture_radius
+    earliest_captures(paths, GrowingDisk(x, y, radius, begin, disk.speed), times)
     return times
 
 

@@ -9,17 +9,21 @@ from typing import Any
 
 import numpy as np
 
-from covey.kernels.maximum.multistart import search_scratch
-from covey.kernels.maximum.objective import rule_out, spent
-from covey.kernels.maximum.working_set import forget_captured
-from covey.kernels.play import policy
-from covey.kernels.play.replanning import replan
+from covey.kernels.maximum.objective import elapsed_value
+from covey.kernels.maximum.problem import Problem
+from covey.kernels.play.policy import ReplanOptions, TeamMemory, forget, replan
 from covey.model.validation import Floats, whole_number
 from covey.planning import Plan, plan
-from covey.planning.compiled_objective import aim_of
+from covey.planning.compiled_objective import compiled_objective
 from covey.planning.guarantee import pursuit_of
-from covey.planning.multistart import MOST_STEPS
-from covey.planning.open_loop import DEFAULT_STARTS, DEFAULT_TOLERANCE, columns_of, start_noise
+from covey.planning.multistart import MAX_STEPS
+from covey.planning.open_loop import (
+    DEFAULT_STARTS,
+    DEFAULT_TOLERANCE,
+    guess_uniforms,
+    working_set_of,
+)
+from covey.planning.workspace import workspace
 from covey.players.teams.replan_interval import ReplanningTeam, minimum_wait
 from covey.simulation import Situation, TeamPolicy
 
@@ -47,9 +51,9 @@ class OpenLoop:
         """Return name and parameters, as a scenario file gives them."""
         return {"name": "open-loop", "starts": self.starts}
 
-    def compiled(self) -> policy.TeamPolicy:
-        """Return the policy of a compiled game."""
-        return policy.TeamPolicy(False, 0.0, 0, DEFAULT_TOLERANCE, MOST_STEPS)
+    def compiled(self) -> ReplanOptions:
+        """Return how the team plans in a compiled game."""
+        return ReplanOptions(False, 0.0, 0, DEFAULT_TOLERANCE, MAX_STEPS)
 
     def start(self, seed: int) -> TeamPolicy:
         """Return the policy of one game."""
@@ -86,6 +90,11 @@ class SearchingTeam(ReplanningTeam):
         whole_number(f"{name}.restarts", self.restarts, low=0)
         super().__post_init__()
 
+    def compiled(self) -> ReplanOptions:
+        """Return how the team plans in a compiled game."""
+        interval = minimum_wait(self.replan_time)
+        return ReplanOptions(True, interval, self.restarts, REPLAN_TOLERANCE, MAX_STEPS)
+
 
 @dataclass(frozen=True)
 class IterativeOpenLoop(SearchingTeam):
@@ -107,11 +116,6 @@ class IterativeOpenLoop(SearchingTeam):
     """
 
     file_name = "iterative-open-loop"
-
-    def compiled(self) -> policy.TeamPolicy:
-        """Return the policy of a compiled game."""
-        wait = minimum_wait(self.replan_time)
-        return policy.TeamPolicy(True, wait, self.restarts, REPLAN_TOLERANCE, MOST_STEPS)
 
     def planner(self, seed: int) -> TeamPolicy:
         """Return the function that makes the plans of one game."""
@@ -138,34 +142,22 @@ class Replanning:
         """Return the first plan, or the last one improved."""
         if not self._living:
             return self._begin(situation)
-        columns, noise, last, aim = self._memory
-        living, restarts = len(self._living), 0
-        since = spent(situation.time - last[0], living, aim.total)
-        for i in self._living:
+        memory, options, living = self._memory, self._strategy.compiled(), len(self._living)
+        elapsed = situation.time - memory.last[0]
+        spent = elapsed_value(elapsed, living, memory.objective.total)
+        restarts = 0
+        for row, i in enumerate(self._living):
             if i not in situation.evaders:
-                row = self._living.index(i)
-                forget_captured(columns, living, row)
-                if aim.expected:
-                    rule_out(aim.draws, living, row)
+                forget(memory, living, row)
                 self._living = tuple(j for j in self._living if j != i)
-                restarts = self._strategy.restarts
+                restarts = options.restarts
                 break
         turns = situation.turns.copy()
-        worth = replan(
-            situation.team.as_rows(),
-            len(turns),
-            pursuit_of(situation.disk),
-            aim,
-            noise,
-            restarts,
-            REPLAN_TOLERANCE,
-            MOST_STEPS,
-            last[1] - since,
-            turns,
-            columns,
-            self._scratch,
-        )
-        last[:] = situation.time, worth if self._same_game else -math.inf
+        problem = Problem(situation.team.as_rows(), pursuit_of(situation.disk), memory.objective)
+        replan(problem, options, memory, spent, restarts, turns, self._workspace)
+        memory.last[0] = situation.time
+        if not self._same_game:
+            memory.last[1] = -math.inf
         return turns
 
     def _begin(self, situation: Situation) -> Floats:
@@ -179,12 +171,12 @@ class Replanning:
         self._living = situation.evaders
         self._memory = first_memory(first, self._seed, self._strategy.restarts)
         self._memory.last[0] = situation.time
-        self._scratch = search_scratch(len(first.turns), self._memory.aim.total)
+        self._workspace = workspace(len(first.turns), self._memory.objective.total)
         return np.array(first.turns)
 
 
-def first_memory(first: Plan, seed: int, restarts: int) -> policy.TeamMemory:
+def first_memory(first: Plan, seed: int, restarts: int) -> TeamMemory:
     """Return what a team remembers at time 0, with its first plan made."""
-    noise = start_noise(seed, restarts, len(first.turns))
-    aim = aim_of(first.objective, len(first.turns))
-    return policy.TeamMemory(columns_of(first), noise, np.array([0.0, -math.inf]), aim)
+    n = len(first.turns)
+    uniforms, last = guess_uniforms(seed, restarts, n), np.array([0.0, -math.inf])
+    return TeamMemory(working_set_of(first), uniforms, last, compiled_objective(first.objective, n))

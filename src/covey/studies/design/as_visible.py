@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from covey.players import CommittedPursuer, FixedSequence, Outcome
+from covey.players import CommittedPursuer, FixedSequence
+from covey.simulation import Outcome
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from typing import Any
 
 from covey.model import InputError
 from covey.model.objectives import distribution_of
-from covey.planning.compiled_objective import aim_of, checked_objective
+from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.players import FixedSequence, KnownSequence, RandomSequence
 from covey.scenarios.mistakes import Mistake, Place
 from covey.studies.design.start_table import FromFile
@@ -52,7 +52,7 @@ def _draws(place: Place, strategy: RandomSequence, size: int) -> Iterator[Mistak
 def _objectives(values: Mapping[str, Any]) -> Iterator[Mistake]:
     for (index, objective), size in product(enumerate(values["objective"]), values["team_size"]):
         try:
-            aim_of(checked_objective(objective), size)
+            compiled_objective(checked_objective(objective), size)
         except InputError as error:
             yield Mistake(("objective", index), str(error))
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Floats, Ints
-from covey.planning import capture_times
+from covey.simulation.expected_captures import expected_captures
 from covey.views.games.flight import path
 from covey.views.games.snapshot import Snapshot
 
@@ -36,11 +36,8 @@ class Prediction:
 
 
 def predict(team: Team, disk: PursuerDisk, turns: Floats, sequence: Ints) -> Prediction:
-    """Captures of the evaders in `sequence`, which may leave some out, who are not predicted."""
-    times = np.empty(0)
-    if len(sequence):
-        order = np.arange(len(sequence))
-        times = capture_times(team.take(sequence), disk, turns[sequence], order)
+    """Return the captures of the evaders in `sequence`, which may leave some evaders out."""
+    times = expected_captures(team, disk, turns, sequence)
     paths = tuple(
         path(team, turns, evader, time)
         for evader, time in zip(sequence.tolist(), times.tolist(), strict=True)
