@@ -19,7 +19,6 @@ QUICK = (
     "kernels/linalg/test_quadratic_program.py::test_models_twice_or_parallel",
     "kernels/capture/test_earliest_capture_by_hand.py",
     "kernels/minimum/test_guarantee_by_enumeration.py::test_worst_order_of_three_that_stand",
-    "kernels/minimum/test_exact_minimum.py::test_a_team_that_stands_on_a_line",
     "planning/test_plan_by_hand.py::test_mirrored_team",
     "planning/test_plan_by_hand.py::test_all_within_reach_at_the_start",
     "planning/test_warm_start.py::test_a_plan_that_starts_from_itself_stays",
