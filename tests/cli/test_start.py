@@ -8,6 +8,7 @@ import sys
 import pytest
 
 from covey.cli import main
+from covey.cli.app import COMMANDS
 from covey.scenarios import example_names
 
 COVEY = [sys.executable, "-m", "covey"]
@@ -65,10 +66,7 @@ def test_help_names_the_commands_the_examples_and_the_units(capsys):
     assert "Angles are radians, counter-clockwise from +x" in text
 
 
-@pytest.mark.parametrize(
-    "command",
-    ["plan", "simulate", "worst-case", "draw", "study", "reproduce", "yardstick", "chase"],
-)
+@pytest.mark.parametrize("command", [name.replace("_", "-") for name in COMMANDS])
 def test_the_help_of_each_command_shows_how_it_is_called(command, capsys):
     assert main([command, "--help"]) == 0
     text = capsys.readouterr().out

@@ -36,7 +36,7 @@ Angles are radians, counter-clockwise from +x; lengths and times are in any cons
 Evaders are numbered from 0.
 """
 
-_COMMANDS = (
+COMMANDS = (
     "plan",
     "simulate",
     "worst_case",
@@ -60,7 +60,7 @@ def _help_of(command: str) -> str | None:
 
 
 app = App(name="covey", help=_HELP, help_format="markdown", suppress_keyboard_interrupt=False)
-for _position, _command in enumerate(_COMMANDS):
+for _position, _command in enumerate(COMMANDS):
     app.command(
         f"covey.cli.commands.{_command}:{_command}", help=_help_of(_command), sort_key=_position
     )

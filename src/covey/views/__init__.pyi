@@ -14,6 +14,4 @@ from .film.mp4 import require_video as require_video
 from .games.game import draw_game as draw_game
 from .games.plan import draw_plan as draw_plan
 from .games.snapshots import draw_snapshots as draw_snapshots
-from .kit.saving import FILMS as FILMS
-from .kit.saving import STILLS as STILLS
 from .kit.saving import save as save

@@ -79,16 +79,18 @@ def draw(
 
 def _checked_view(view: View | None, output: Path) -> View:
     """Choose the view by the output's ending, and raise InputError if they don't fit."""
+    from covey.views.kit.saving import FILMS, STILLS  # only now, as it loads matplotlib
+
     suffix = output.suffix.lower()
     if view is None:
-        check_output(output, [*views.STILLS, *views.FILMS], "a picture or a film")
+        check_output(output, [*STILLS, *FILMS], "a picture or a film")
     elif view == "animation":
-        check_output(output, views.FILMS, "the view animation")
+        check_output(output, FILMS, "the view animation")
     else:
-        check_output(output, views.STILLS, f"the view {view}")
+        check_output(output, STILLS, f"the view {view}")
     if suffix == ".mp4":
         views.require_video()
-    return view or ("animation" if suffix in views.FILMS else "snapshots")
+    return view or ("animation" if suffix in FILMS else "snapshots")
 
 
 def _draw_plan(source: covey.Scenario | covey.Game, output: Path, record: Path | None) -> None:

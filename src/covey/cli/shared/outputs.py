@@ -51,9 +51,11 @@ def write_csv(path: Path, heads: Sequence[str], rows: Iterable[Sequence[object]]
 
 def save_picture(figure: Any, folder: Path, name: str) -> None:
     """Save a picture in every format, and say where the first file is."""
-    for ending in views.STILLS:
+    from covey.views.kit.saving import STILLS  # only now, as it loads matplotlib
+
+    for ending in STILLS:
         views.save(figure, folder / f"{name}{ending}")
-    print_saved(folder / f"{name}{views.STILLS[0]}")
+    print_saved(folder / f"{name}{STILLS[0]}")
 
 
 def print_saved(path: Path) -> None:

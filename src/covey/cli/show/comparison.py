@@ -55,7 +55,9 @@ def _cell(score: Score) -> str:
 
 def draw_comparison(folder: Path, output: Path) -> None:
     """Draw the scores of the study whose results are in a folder."""
-    check_output(output, views.STILLS, "a picture")
+    from covey.views.kit.saving import STILLS  # only now, as it loads matplotlib
+
+    check_output(output, STILLS, "a picture")
     compared = comparison(covey.load_study(folder))
     if compared is None:
         raise covey.InputError(
