@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from covey.kernels._jit import compiled, inlined
+from covey.kernels._jit import compiled
 from covey.kernels.arrays import Floats, Ints
 from covey.kernels.maximum.working_set import without
 
@@ -25,7 +25,7 @@ class Objective(NamedTuple):
     draws: Draws  # empty unless `expected`
 
 
-@inlined
+@compiled
 def elapsed_value(elapsed: float, n: int, total: bool) -> float:
     """Return by how much the value of a plan for n evaders falls while the plan is flown."""
     return elapsed * n if total else elapsed

@@ -33,7 +33,7 @@ class Evaluation(NamedTuple):
     values: Floats  # (m,) objective of each sequence
 
 
-@inlined
+@compiled
 def capacity(n: int) -> int:
     """Return how many sequences a working set of n evaders holds: n + 1 can be active at once."""
     return 2 * n + 4
