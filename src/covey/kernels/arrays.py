@@ -7,87 +7,130 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels._jit import expanded
+from covey.kernels._jit import expanded, inlined
 
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 Int32s = npt.NDArray[np.int32]
 
 
-_LINE = 8  # floats in a line of the processor's cache, where each array begins
+PATH = 15
+"""Numbers that describe a path, see `capture.path`."""
+
+_LINE = 8  # floats in a line of the processor's cache
+_LANES = 4  # floats in a register of the processor
 
 
 class Workspace(NamedTuple):
     """Memory for the scratch of kernels. Python owns it; kernels carve their arrays from it.
 
     A call carves the same arrays as the call before, so tables keep what was written to them. One
-    thread at a time may use a workspace.
+    thread at a time may use a workspace. There is a buffer for each number of columns, because
+    numba takes rows of a table for nothing, and gives a new shape to an array by a slow call.
     """
 
-    size: int  # evaders that the scratch has room for
+    size: int  # n: evaders that the scratch has room for
     total: bool  # whether there is room for minima of sums, too
-    carved: Ints  # (3,) how much of each of the following is in use
-    floats: Floats
-    ints: Ints
-    slots: Int32s  # zeros at first
+    carved: Ints  # (7,) how much of each of the following is in use
+    floats: Floats  # (.,)
+    rows: Floats  # (., n)
+    wide_rows: Floats  # (., n + 2)
+    path_rows: Floats  # (., PATH)
+    padded_rows: Floats  # (., n rounded up to a multiple of the processor's lanes)
+    ints: Ints  # (.,)
+    int_rows: Ints  # (., n)
+    slots: Int32s  # (2**n,) zeros at first; carved as a whole
+
+
+FLOATS, ROWS, WIDE_ROWS, PATH_ROWS, PADDED_ROWS, INTS, INT_ROWS = range(7)
 
 
 def new_workspace(size: int, total: bool = False) -> Workspace:
     """Allocate a workspace for teams of up to `size` evaders."""
-    tables = 1 << size
-    dense = 64 * (size + 8) ** 2  # all but the tables of the minima; carving checks the bound
-    per_set = 2 * size + 4 + (2 * size if total else 0)
+    sets = 1 << size
+    states = size << size
     return Workspace(
         size,
         total,
-        np.zeros(3, np.int64),
-        _aligned(dense + per_set * tables),
-        np.zeros(dense + (1 + (size if total else 0)) * tables, np.int64),
-        np.zeros(tables, np.int32),
+        np.zeros(7, np.int64),
+        _aligned(1, states * (3 if total else 1) + 64 * (size + 8))[0],
+        _aligned(16 * size + 40, size),
+        _aligned(size + 2, size + 2),
+        _aligned(3 * size, PATH),
+        _aligned(sets + size + 16, -(-size // _LANES) * _LANES),
+        np.zeros(sets + (states if total else 0) + 16 * (size + 8), np.int64),
+        np.zeros((4 * size + 8, size), np.int64),
+        np.zeros(sets, np.int32),
     )
 
 
-def _aligned(n: int) -> Floats:
-    """Allocate (n,) floats that begin with a line of the processor's cache."""
-    memory = np.empty(n + _LINE)
+def _aligned(rows: int, columns: int) -> Floats:
+    """Allocate (rows, columns) floats that begin with a line of the processor's cache."""
+    memory = np.empty(rows * columns + _LINE)
     begin = -memory.ctypes.data // memory.itemsize % _LINE
-    return memory[begin : begin + n]
+    return memory[begin : begin + rows * columns].reshape(rows, columns)
+
+
+@inlined
+def padded(n: int) -> int:
+    """Return how many columns a padded table of n evaders has."""
+    return (n + _LANES - 1) // _LANES * _LANES
 
 
 @expanded
 def floats(workspace: Workspace, n: int) -> Floats:
-    """Carve (n,) floats."""
-    begin = workspace.carved[0]
-    workspace.carved[0] = begin + (n + _LINE - 1) // _LINE * _LINE
+    """Carve (n,) floats that begin with a line of the processor's cache."""
+    begin = workspace.carved[FLOATS]
+    workspace.carved[FLOATS] = begin + (n + _LINE - 1) // _LINE * _LINE
     return workspace.floats[begin : begin + n]
 
 
 @expanded
-def float_rows(workspace: Workspace, m: int, n: int) -> Floats:
+def rows(workspace: Workspace, m: int) -> Floats:
     """Carve (m, n) floats."""
-    return floats(workspace, m * n).reshape((m, n))
+    begin = workspace.carved[ROWS]
+    workspace.carved[ROWS] = begin + m
+    return workspace.rows[begin : begin + m]
+
+
+@expanded
+def wide_rows(workspace: Workspace, m: int) -> Floats:
+    """Carve (m, n + 2) floats."""
+    begin = workspace.carved[WIDE_ROWS]
+    workspace.carved[WIDE_ROWS] = begin + m
+    return workspace.wide_rows[begin : begin + m]
+
+
+@expanded
+def path_rows(workspace: Workspace, m: int) -> Floats:
+    """Carve (m, PATH) floats."""
+    begin = workspace.carved[PATH_ROWS]
+    workspace.carved[PATH_ROWS] = begin + m
+    return workspace.path_rows[begin : begin + m]
+
+
+@expanded
+def padded_rows(workspace: Workspace, m: int) -> Floats:
+    """Carve m rows of floats, a column an evader, padded to a multiple of the processor's lanes."""
+    begin = workspace.carved[PADDED_ROWS]
+    workspace.carved[PADDED_ROWS] = begin + m
+    return workspace.padded_rows[begin : begin + m]
 
 
 @expanded
 def ints(workspace: Workspace, n: int) -> Ints:
     """Carve (n,) integers."""
-    begin = workspace.carved[1]
-    workspace.carved[1] = begin + n
+    begin = workspace.carved[INTS]
+    workspace.carved[INTS] = begin + n
     return workspace.ints[begin : begin + n]
 
 
 @expanded
-def int_rows(workspace: Workspace, m: int, n: int) -> Ints:
+def int_rows(workspace: Workspace, m: int) -> Ints:
     """Carve (m, n) integers."""
-    return ints(workspace, m * n).reshape((m, n))
-
-
-@expanded
-def slots(workspace: Workspace, n: int) -> Int32s:
-    """Carve (n,) short integers, which are zero unless a kernel left something there."""
-    begin = workspace.carved[2]
-    workspace.carved[2] = begin + n
-    return workspace.slots[begin : begin + n]
+    begin = workspace.carved[INT_ROWS]
+    workspace.carved[INT_ROWS] = begin + m
+    return workspace.int_rows[begin : begin + m]
 
 
 @expanded

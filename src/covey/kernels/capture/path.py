@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 from covey.kernels._jit import compiled, inlined
+from covey.kernels.arrays import PATH as PATH
 from covey.kernels.arrays import Floats
 
 # An evader is a row (x, y, heading, speed, turn rate).
@@ -24,7 +25,6 @@ TURN_END_SLOPE = 10  # d(end of the turn) / d(signed turn): sign(turn) / turn ra
 CLOSING = 11  # v_p^2 - v^2
 START_COSINE, START_SINE = 12, 13
 STEERS = 14  # 1; 0 if the evader can't turn, so that its path doesn't depend on the turn
-PATH = 15
 
 
 @compiled

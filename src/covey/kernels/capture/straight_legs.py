@@ -8,26 +8,14 @@ from __future__ import annotations
 
 import math
 
-from covey.kernels._jit import compiled, expanded, inlined
-from covey.kernels.arrays import Floats, Workspace, float_rows
+from covey.kernels._jit import compiled, inlined
+from covey.kernels.arrays import Floats, padded
 from covey.kernels.capture.path import CLOSING, LINE_X, LINE_Y, TURN_END, VELOCITY_X, VELOCITY_Y
 from covey.kernels.capture.pursuit import GrowingDisk
 
 # Rows of the table of lines; a column is an evader.
 _X, _Y, _VELOCITY_X, _VELOCITY_Y, _CLOSING, _TURN_END = range(6)
-_LANES = 4  # in a register: the table has a multiple of that many columns
-
-
-@inlined
-def padded(n: int) -> int:
-    """Return how many columns a table of n evaders has."""
-    return (n + _LANES - 1) // _LANES * _LANES
-
-
-@expanded
-def lines_table(workspace: Workspace, n: int) -> Floats:
-    """Carve the table of lines of up to n evaders (6, padded(n))."""
-    return float_rows(workspace, 6, padded(n))
+LINES = 6
 
 
 @compiled

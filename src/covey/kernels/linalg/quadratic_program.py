@@ -14,7 +14,7 @@ import math
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Ints, Workspace, float_rows, floats, ints
+from covey.kernels.arrays import Floats, Ints, Workspace, floats, ints, rows, wide_rows
 
 _TINY = 1e-14
 
@@ -51,12 +51,12 @@ class QuadraticScratch(NamedTuple):
 
 @inlined
 def quadratic_scratch(workspace: Workspace, n: int, m: int) -> QuadraticScratch:
-    """Carve the scratch of `solve_quadratic` for n variables and m models."""
+    """Carve the scratch of `solve_quadratic` for n = `workspace.size` variables and m models."""
     return QuadraticScratch(
-        float_rows(workspace, m + 2 * n, n),
+        rows(workspace, m + 2 * n),
         ints(workspace, n + 2),
         floats(workspace, n + 2),
-        float_rows(workspace, n + 2, n + 2),
+        wide_rows(workspace, n + 2),
         floats(workspace, n + 2),
         floats(workspace, n + 2),
         floats(workspace, n),

@@ -11,8 +11,8 @@ import math
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Workspace, float_rows, floats
-from covey.kernels.capture.derivatives import CAPTURE_ROW, Captures, add_curvature, differentiate
+from covey.kernels.arrays import Floats, Workspace, floats, path_rows, rows
+from covey.kernels.capture.derivatives import Captures, add_curvature, differentiate
 from covey.kernels.linalg.quadratic_program import (
     QuadraticProgram,
     QuadraticScratch,
@@ -29,7 +29,7 @@ class ModelScratch(NamedTuple):
 
     gradients: Floats  # (m, n)
     weights: Floats  # (m,) multipliers in the Hessian
-    capture_rows: Floats  # (n, CAPTURE_ROW)
+    capture_rows: Floats  # (n, CAPTURE_ROW) or more columns
     slopes: Floats  # (3, n)
     hessian: Floats  # (n, n) of the Lagrangian, sign turned; lower triangle
     convex_hessian: Floats  # (n, n) made positive definite for the quadratic programme
@@ -50,14 +50,14 @@ def model_scratch(workspace: Workspace) -> ModelScratch:
     n = workspace.size
     m = capacity(n)
     return ModelScratch(
-        float_rows(workspace, m, n),
+        rows(workspace, m),
         floats(workspace, m),
-        float_rows(workspace, n, CAPTURE_ROW),
-        float_rows(workspace, 3, n),
-        float_rows(workspace, n, n),
-        float_rows(workspace, n, n),
-        float_rows(workspace, n, n),
-        float_rows(workspace, n, n),
+        path_rows(workspace, n),
+        rows(workspace, 3),
+        rows(workspace, n),
+        rows(workspace, n),
+        rows(workspace, n),
+        rows(workspace, n),
         floats(workspace, n),
         floats(workspace, n),
         floats(workspace, n),

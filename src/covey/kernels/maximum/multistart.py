@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Workspace, begin_carving, float_rows, floats
+from covey.kernels.arrays import Floats, Workspace, begin_carving, floats, rows
 from covey.kernels.maximum.initial_guesses import (
     BATCH,
     ELITE,
@@ -56,8 +56,8 @@ def search_scratch(workspace: Workspace) -> SearchScratch:
     return SearchScratch(
         floats(workspace, n),
         Iterate(floats(workspace, n), working_set_scratch(workspace)),
-        Elite(floats(workspace, BATCH), float_rows(workspace, BATCH, n)),
-        Elite(floats(workspace, ELITE), float_rows(workspace, ELITE, n)),
+        Elite(floats(workspace, BATCH), rows(workspace, BATCH)),
+        Elite(floats(workspace, ELITE), rows(workspace, ELITE)),
         ascent_scratch(workspace),
     )
 

@@ -12,8 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Ints, Workspace, float_rows, floats, int_rows, ints
-from covey.kernels.capture.path import PATH
+from covey.kernels.arrays import Floats, Ints, Workspace, floats, int_rows, ints, path_rows, rows
 
 
 class WorkingSet(NamedTuple):
@@ -51,7 +50,7 @@ def working_set_scratch(workspace: Workspace) -> WorkingSet:
     n = workspace.size
     m = capacity(n)
     return WorkingSet(
-        ints(workspace, 1), int_rows(workspace, m, n), floats(workspace, m), floats(workspace, m)
+        ints(workspace, 1), int_rows(workspace, m), floats(workspace, m), floats(workspace, m)
     )
 
 
@@ -60,9 +59,7 @@ def evaluation_scratch(workspace: Workspace) -> Evaluation:
     """Carve an evaluation."""
     n = workspace.size
     m = capacity(n)
-    return Evaluation(
-        float_rows(workspace, n, PATH), float_rows(workspace, m, n), floats(workspace, m)
-    )
+    return Evaluation(path_rows(workspace, n), rows(workspace, m), floats(workspace, m))
 
 
 @compiled

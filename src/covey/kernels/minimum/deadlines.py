@@ -9,21 +9,15 @@ from __future__ import annotations
 
 import math
 
-from covey.kernels._jit import compiled, expanded, inlined
-from covey.kernels.arrays import Floats, Workspace, float_rows
+from covey.kernels._jit import compiled, inlined
+from covey.kernels.arrays import Floats, padded
 from covey.kernels.capture.path import START_X, START_Y, position
 from covey.kernels.capture.pursuit import GrowingDisk, Pursuit
-from covey.kernels.capture.straight_legs import latest_departures, padded
+from covey.kernels.capture.straight_legs import latest_departures
 
 # Deadlines are later than need be at each capture, by this much of the bound and of the time that
 # the coordinates take to fly, so that rounding drops no label.
 _SLACK = 1e-13
-
-
-@expanded
-def deadlines_table(workspace: Workspace, n: int) -> Floats:
-    """Carve the table of deadlines of up to n evaders (2**n, padded(n))."""
-    return float_rows(workspace, 1 << n, padded(n))
 
 
 @compiled

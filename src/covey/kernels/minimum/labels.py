@@ -9,12 +9,11 @@ import math
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Int32s, Ints, Workspace, floats, ints, slots
+from covey.kernels.arrays import Floats, Int32s, Ints, Workspace, floats, ints, padded, padded_rows
 from covey.kernels.capture.interception import capture_in_turn, earliest_capture
 from covey.kernels.capture.path import TURN_END
 from covey.kernels.capture.pursuit import GrowingDisk, Pursuit, disk_after, initial_disk
-from covey.kernels.capture.straight_legs import captures_on_lines, lines_table, padded
-from covey.kernels.minimum.deadlines import deadlines_table
+from covey.kernels.capture.straight_legs import LINES, captures_on_lines
 
 
 class Labels(NamedTuple):
@@ -40,14 +39,14 @@ def subset_scratch(workspace: Workspace, n: int) -> SubsetScratch:
     """Carve the scratch of the dynamic programme for up to n evaders."""
     return SubsetScratch(
         Labels(
-            slots(workspace, 1 << n),
+            workspace.slots,
             ints(workspace, 1 << n),
             floats(workspace, n << n),
             ints(workspace, n + 1),
             floats(workspace, padded(n)),
         ),
-        lines_table(workspace, n),
-        deadlines_table(workspace, n),
+        padded_rows(workspace, LINES),
+        padded_rows(workspace, 1 << n),
     )
 
 

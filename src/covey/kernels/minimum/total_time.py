@@ -18,16 +18,11 @@ import math
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Ints, Workspace, float_rows, floats, ints
+from covey.kernels.arrays import Floats, Ints, Workspace, floats, ints, padded, padded_rows
 from covey.kernels.capture.interception import capture_in_turn, earliest_capture
 from covey.kernels.capture.path import TURN_END, VELOCITY_X, VELOCITY_Y
 from covey.kernels.capture.pursuit import Pursuit, disk_after, initial_disk
-from covey.kernels.capture.straight_legs import (
-    captures_on_lines,
-    lines_table,
-    padded,
-    set_lines,
-)
+from covey.kernels.capture.straight_legs import LINES, captures_on_lines, set_lines
 
 _ROUNDING = 1e-13
 
@@ -56,8 +51,8 @@ def total_time_scratch(workspace: Workspace, n: int) -> TotalTimeScratch:
         floats(workspace, states),
         ints(workspace, states),
         ints(workspace, 1),
-        lines_table(workspace, n),
-        float_rows(workspace, n + 1, padded(n)),
+        padded_rows(workspace, LINES),
+        padded_rows(workspace, n + 1),
         floats(workspace, n),
         ints(workspace, n),
         ints(workspace, n + 1),
