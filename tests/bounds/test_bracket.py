@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import covey
-from covey.bounds.polygon_bound import latest_capture
+from covey.bounds.polygon_bound import last_capture_bound
 from random_games import random_game
 
 
@@ -77,8 +77,8 @@ def test_bound_exposes_a_local_maximum():
         best.survival_time,
         best.status,
     )
-    assert latest_capture(team, disk, best) == pytest.approx(best.survival_time, rel=1e-10)
-    assert latest_capture(team, disk, local) == pytest.approx(best.survival_time, rel=1e-9)
+    assert last_capture_bound(team, disk, best) == pytest.approx(best.survival_time, rel=1e-10)
+    assert last_capture_bound(team, disk, local) == pytest.approx(best.survival_time, rel=1e-9)
 
 
 @pytest.mark.parametrize("seed", range(10))
@@ -86,7 +86,7 @@ def test_bound_is_close_although_maxima_are_many(seed):
     generator = np.random.default_rng(seed)
     team, disk = agile_game(generator, 5, speed=[0.25, 0.5][seed % 2])
     best = covey.plan_for_sequence(team, disk, generator.permutation(5))
-    bound = latest_capture(team, disk, best)
+    bound = last_capture_bound(team, disk, best)
     assert best.survival_time * (1.0 - 1e-12) <= bound <= best.survival_time * (1.0 + 1e-9)
 
 

@@ -21,7 +21,9 @@ def test_a_workspace_holds_all_scratch_of_its_size(size, total):
     paths, sequence = paths_of(team, disk, np.zeros(size)), np.empty(size, np.int64)
     for _ in range(2):
         minimum_over_sequences(paths, pursuit_of(disk), total, np.inf, sequence, memory)
-        for used, buffer in zip(memory.carved, (*memory[3:8], memory.ints, memory.int_rows), strict=True):
+        for used, buffer in zip(
+            memory.carved, (*memory[3:8], memory.ints, memory.int_rows), strict=True
+        ):
             assert 0 < used <= len(buffer)
 
 

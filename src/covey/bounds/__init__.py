@@ -1,4 +1,8 @@
-"""What no team can exceed: the bracket, the flight for a known sequence, two evaders' value."""
+"""Bounds on what any team can guarantee, whatever its strategy.
+
+Read `fixed_sequence` with `root_search`, then `announced_sequence` and `polygon_bound`, then
+`bracket`, which joins them. `two_evaders` stands alone: the true value of one small game.
+"""
 
 from covey.bounds.bracket import Bracket, bracket
 from covey.bounds.fixed_sequence import SequencePlan, SequenceStatus, plan_for_sequence

@@ -1,4 +1,4 @@
-"""Which capture sequence a pursuer should announce if it has to keep to it."""
+"""The capture sequence that a pursuer should announce if it has to keep to it."""
 
 from __future__ import annotations
 
@@ -14,69 +14,86 @@ from covey.model import PursuerDisk, Team
 from covey.model.validation import Floats
 from covey.planning.guarantee import pursuit_of
 
-_HEADINGS = 25
+_GRID_HEADINGS = 25
 """Headings of each evader on the grid on which sequences are compared."""
 
-_WIDTH = 64
-"""Beginnings that are followed at a time: all that there are, up to five evaders."""
+_BEAM_WIDTH = 64
+"""Prefixes that the beam search extends at a time; up to five evaders these are all prefixes."""
 
 _FINALISTS = 4
 """Sequences, the best on the grid, that are compared exactly."""
 
 
-class _Beginning(NamedTuple):
-    """The first captures of a sequence, and the latest time of the last of them by its heading."""
+class _Prefix(NamedTuple):
+    """The first captures of a sequence."""
 
     sequence: tuple[int, ...]
-    latest: Floats  # (headings,)
+    latest: Floats  # (headings,) latest time of the last of them, by the heading of its evader
 
 
 def best_announcement(
     team: Team, disk: PursuerDisk, known: Iterable[tuple[int, ...]]
 ) -> SequencePlan:
-    """Find a capture sequence with an early last capture although the team knows it.
+    """Find a sequence with an early last capture, although the team knows the sequence.
 
-    A beam search over the beginnings of sequences. Every sequence serves as a bound, so it needs no
-    proof that it is the best; the `known` ones compete.
+    A beam search on a grid of headings picks the finalists. They and the `known` sequences are
+    compared exactly. The result need not be the best: the value of every sequence is an upper bound
+    of the game's value.
+
+    Parameters
+    ----------
+    team, disk
+        The state of the game, each evader slower than the pursuer.
+    known
+        Sequences that are compared with those that the search finds.
+
+    Returns
+    -------
+    SequencePlan
+        The sequence, and the team's best answer to it.
     """
-    values = _search(team, disk)
+    values = _beam_search(team, disk)
     finalists = sorted(values, key=lambda sequence: values[sequence])[:_FINALISTS]
     plans = [plan_for_sequence(team, disk, sequence) for sequence in {*finalists, *known}]
     return min(plans, key=lambda plan: (plan.survival_time, plan.sequence))
 
 
-def _search(team: Team, disk: PursuerDisk) -> dict[tuple[int, ...], float]:
-    """Return sequences and when they end, on the grid."""
+def _beam_search(team: Team, disk: PursuerDisk) -> dict[tuple[int, ...], float]:
+    """Return sequences and the latest times of their last captures on the grid."""
     n, pursuit = len(team), pursuit_of(disk)
-    grid = new_grid(team.as_rows(), _HEADINGS)
+    grid = new_grid(team.as_rows(), _GRID_HEADINGS)
     lay_grid(grid, np.zeros(n), math.pi, disk.speed)
-    before = np.empty(_HEADINGS, np.int64)
+    unused = np.empty(_GRID_HEADINGS, np.int64)
 
-    def begin(i: int) -> _Beginning:
-        latest = np.empty(_HEADINGS)
+    def first(i: int) -> _Prefix:
+        latest = np.empty(_GRID_HEADINGS)
         first_captures(grid.paths, pursuit, i, latest)
-        return _Beginning((i,), latest)
+        return _Prefix((i,), latest)
 
-    def extend(start: _Beginning, i: int) -> _Beginning:
-        latest = np.empty(_HEADINGS)
-        next_captures(grid.paths, pursuit, start.sequence[-1], i, start.latest, latest, before)
-        return _Beginning((*start.sequence, i), latest)
+    def extend(prefix: _Prefix, i: int) -> _Prefix:
+        latest = np.empty(_GRID_HEADINGS)
+        next_captures(grid.paths, pursuit, prefix.sequence[-1], i, prefix.latest, latest, unused)
+        return _Prefix((*prefix.sequence, i), latest)
 
-    beam = [begin(i) for i in range(n)]
+    beam = [first(i) for i in range(n)]
     for _ in range(1, n):
         families = [
-            [extend(start, i) for i in range(n) if i not in start.sequence] for start in beam
+            [extend(prefix, i) for i in range(n) if i not in prefix.sequence] for prefix in beam
         ]
-        # Whoever is left can at best be the next one, so no sequence of a family ends earlier.
+        # Each evader left is captured at the earliest as the next one, so no sequence of a family
+        # ends before the family's latest next capture.
         families.sort(key=lambda family: max(float(each.latest.max()) for each in family))
-        beam = _undominated(each for family in families[:_WIDTH] for each in family)
+        beam = _undominated(each for family in families[:_BEAM_WIDTH] for each in family)
     return {each.sequence: float(each.latest.max()) for each in beam}
 
 
-def _undominated(beginnings: Iterable[_Beginning]) -> list[_Beginning]:
-    """Drop those that come later, whatever the last heading, than another of the same captures."""
-    kept: dict[tuple[frozenset[int], int], list[_Beginning]] = {}
-    for new in beginnings:
+def _undominated(prefixes: Iterable[_Prefix]) -> list[_Prefix]:
+    """Drop each prefix that ends no earlier than another, whatever the last evader's heading.
+
+    Prefixes are compared if they capture the same evaders and the same one last.
+    """
+    kept: dict[tuple[frozenset[int], int], list[_Prefix]] = {}
+    for new in prefixes:
         rivals = kept.setdefault((frozenset(new.sequence), new.sequence[-1]), [])
         if not any((rival.latest <= new.latest).all() for rival in rivals):
             rivals[:] = [rival for rival in rivals if (rival.latest < new.latest).any()]

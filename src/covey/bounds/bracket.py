@@ -1,4 +1,4 @@
-"""Two times between which the true value of the game lies."""
+"""A lower and an upper bound of the true value of the game."""
 
 from __future__ import annotations
 
@@ -7,30 +7,30 @@ from dataclasses import dataclass
 
 from covey.bounds.announced_sequence import best_announcement
 from covey.bounds.fixed_sequence import SequencePlan, plan_for_sequence
-from covey.bounds.polygon_bound import latest_capture
+from covey.bounds.polygon_bound import last_capture_bound
 from covey.model import PursuerDisk, Team
 from covey.model.angles import unit_vectors
 from covey.planning.open_loop import Plan, plan
 
-_MOVES = 8
-"""How often the pursuer's place in the disk is improved."""
+_MAX_IMPROVEMENTS = 8
+"""Improvements of the pursuer's start in its disk, at most."""
 
 
 @dataclass(frozen=True, eq=False)
 class Bracket:
-    """Bounds on how long a team can be sure to survive, whatever its strategy.
+    """Bounds on the survival time that a team can guarantee, whatever its strategy.
 
     Attributes
     ----------
     lower : float
-        The team survives at least so long: the guaranteed time of `plan`.
+        The guaranteed survival time of `plan`.
     upper : float
-        No team could be sure of more, even if it saw the pursuer and turned at once: the pursuer
-        may announce `sequence` and still has captured everybody by then.
+        No strategy guarantees more, even if the team sees the pursuer and turns at once: a pursuer
+        that announces `sequence` has captured everybody by this time.
     plan : Plan
-        The open-loop plan that `lower` is the guarantee of.
+        The open-loop plan that guarantees `lower`.
     sequence : tuple of int
-        The capture sequence that `upper` belongs to.
+        The capture sequence whose value is `upper`.
     """
 
     lower: float
@@ -61,18 +61,20 @@ def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None 
 
     Notes
     -----
-    Above stands the fixed-sequence value for unlimited turn rates, the least over the sequences
-    that a search came to. It bounds the game because a pursuer that keeps to a sequence, and makes
-    for each evader with the line of sight at a constant bearing, needs no longer, whatever the
-    evaders do meanwhile: docs/decisions/0006. That the maximum over their headings is the global
-    one, and not a local one below it, is proven anew in each call: the bound is taken over corners
-    of polygons that contain all velocities. In 700 random games of three and five it exceeded the
-    maximum that was found by less than 1e-11, relative.
+    The upper bound is the fixed-sequence value for unlimited turn rates, the least over the
+    sequences that a search visits. A pursuer that keeps to a sequence, and flies to each evader
+    with the line of sight at a constant bearing, captures the last one no later, whatever the
+    evaders do (docs/decisions/0006).
 
-    Every pursuer that the rules allow bounds the value. So where it starts in a disk, the best
-    place found is taken. With a capture radius ρ it makes use of its reach only at the last
-    capture: until then it comes to the very place of each evader, as if one that was captured on
-    the way had flown on.
+    The fixed-sequence value is a maximum over headings. Each call proves that no higher maximum was
+    missed: the bound is computed at the corners of polygons that contain all velocities. In 700
+    random games of three and five evaders it exceeded the maximum found by less than 1e-11,
+    relative.
+
+    Every start in the disk gives a bound. The bounding pursuer starts at the best position that a
+    few improvements find. It uses the capture radius ρ for the last capture only. Before that it
+    flies to each evader's exact position, and an evader that it passes within ρ counts as still
+    flying.
 
     References
     ----------
@@ -85,25 +87,26 @@ def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None 
     agile = Team(team.positions, team.headings, team.speeds, math.inf)
     point = PursuerDisk(disk.center, disk.radius, disk.speed)
     announced = best_announcement(agile, point, found.critical_sequences[:2])
-    start, announced = _from_best_place(agile, disk, announced)
-    upper = latest_capture(agile, start, announced)
+    start, announced = _from_best_start(agile, disk, announced)
+    upper = last_capture_bound(agile, start, announced)
     return Bracket(
         lower=found.survival_time,
-        upper=max(upper, found.survival_time),  # equal, but for rounding, where it is exact
+        upper=max(upper, found.survival_time),  # equal bounds may cross by rounding
         plan=found,
         sequence=announced.sequence,
     )
 
 
-def _from_best_place(
+def _from_best_start(
     team: Team, disk: PursuerDisk, announced: SequencePlan
 ) -> tuple[PursuerDisk, SequencePlan]:
-    """Return the pursuer at a good place in its disk, and the team's answer to it.
+    """Return the pursuer at a good position in its disk, and the team's best answer.
 
-    The nearest to the first capture, again and again, as the team answers each.
+    The pursuer moves to the point nearest to the first capture and the team answers, until the last
+    capture comes no earlier.
     """
     best: tuple[PursuerDisk, SequencePlan] | None = None
-    for _ in range(_MOVES):
+    for _ in range(_MAX_IMPROVEMENTS):
         first = announced.sequence[0]
         heading, time = announced.goal_headings[first], announced.capture_times[0]
         goal = team.positions[first] + team.speeds[first] * time * unit_vectors(heading)

@@ -1,4 +1,4 @@
-"""The fixed-sequence problem: the best flight of a team that knows the order of capture."""
+"""The fixed-sequence problem: the best plan of a team that knows the capture sequence."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from covey.model.validation import Floats, Ints, permutation, read_only
 from covey.planning.guarantee import capture_times, pursuit_of
 
 _TURN_TOLERANCE = 1e-9
-"""Radians. The last capture is a maximum, so it errs by the square of this."""
+"""Radians. At a maximum an error of the turns changes the last capture by its square."""
 
-_NEAR_ROOT = 1e-3
-"""Radians. So near to the maximum a root search takes over where turning is unlimited."""
+_ROOT_SEARCH_FROM = 1e-3
+"""Radians from the maximum at which a root search takes over, for unlimited turn rates."""
 
 
 class SequenceStatus(StrEnum):
-    """How the search for a flight against a known sequence ended."""
+    """How the search for a plan against a known sequence ended."""
 
     CONVERGED = "the best turns of a grid, refined until they stood still"
     STEPS_USED_UP = "the turns were still moving when the refinements were used up"
@@ -37,7 +37,7 @@ class SequencePlan:
     Attributes
     ----------
     sequence : tuple of int
-        The order of capture.
+        The capture sequence.
     turns : numpy.ndarray
         (N,) signed turns δ in [-π, π], radians, by evader.
     goal_headings : numpy.ndarray
@@ -45,7 +45,7 @@ class SequencePlan:
     capture_times : numpy.ndarray
         (N,) least capture times in the order of `sequence`.
     survival_time : float
-        The last of them: max over the turns of f_s.
+        The last capture time: the maximum of f_s over the turns.
     status : SequenceStatus
     """
 
@@ -70,8 +70,8 @@ def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) ->
     Returns
     -------
     SequencePlan
-        Where several turns are equally good, the smallest on the grid; compare survival times,
-        never headings.
+        Of turns that are equally good, the smallest on the grid. Compare survival times, never
+        headings.
 
     Raises
     ------
@@ -80,19 +80,19 @@ def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) ->
 
     Notes
     -----
-    There are several local maxima: an evader that stands between the pursuer and the next one can
-    dodge to either side. So the search is global: a later capture on the same path delays all
-    others, hence a dynamic programme over one turn at a time is exact on a grid of turns, 65 for
-    each evader. Grids around the best turns then refine them. Two maxima that the first grid can't
-    tell apart, their values differing by less than its spacing's square, may be confused;
-    `covey.bracket` excludes that by a bound, which found no such case in 700 random games.
+    There are several local maxima: an evader between the pursuer and the next evader can dodge to
+    either side. So the search is global. A later capture on the same path delays all captures after
+    it, hence a dynamic programme over one turn at a time is exact on a grid of 65 turns for each
+    evader. Finer grids around the best turns then refine them. Two maxima whose values differ by
+    less than the square of the first grid's spacing may be confused. The bound of `covey.bracket`
+    excludes that; it found no such case in 700 random games.
 
     With unlimited turn rates straight flight is optimal, and the turns solve the root-searching
-    problem of [2]_: with T_k the k-th capture time, P_k its place, n_k the unit vector from P_{k-1}
-    to P_k and λ_k = dT_N/dT_k as far as it is delayed by the k-th flight alone, the k-th evader
-    flies along λ_k n_k - λ_{k+1} n_{k+1}, the last one straight away from P_{N-1}. Such a root may
-    also be a minimum or a saddle, so the grid says near which one to search; the root search then
-    gives the turns to the last digits. Comparing times tells them to some 1e-8 only.
+    problem of [2]_. Let T_k be the k-th capture time, P_k the position of that capture, n_k the
+    unit vector from P_{k-1} to P_k, and λ_k the derivative of T_N by a delay of the k-th flight
+    alone. Then the k-th evader flies along λ_k n_k - λ_{k+1} n_{k+1}, and the last one straight
+    away from P_{N-1}. A root may also be a minimum or a saddle, so the search begins at the grid's
+    maximum. It gives the turns to the last digits; comparing times gives them to some 1e-8 only.
 
     References
     ----------
@@ -103,7 +103,7 @@ def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) ->
     """
     disk.require_faster_than(team)
     order = permutation("sequence", sequence, len(team))
-    found, settled = _latest(team, pursuit_of(disk), order)
+    found, converged = _best_turns(team, pursuit_of(disk), order)
     turns = np.where(np.isinf(team.turn_rates), wrap_angle(found), found)
     goals, times = wrap_angle(team.headings + turns), capture_times(team, disk, turns, order)
     return SequencePlan(
@@ -112,15 +112,15 @@ def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) ->
         goal_headings=read_only(goals),
         capture_times=read_only(times),
         survival_time=float(times[-1]),
-        status=SequenceStatus.CONVERGED if settled else SequenceStatus.STEPS_USED_UP,
+        status=SequenceStatus.CONVERGED if converged else SequenceStatus.STEPS_USED_UP,
     )
 
 
-def _latest(team: Team, pursuit: Pursuit, order: Ints) -> tuple[Floats, bool]:
-    """Return the best turns, and whether they stand still."""
+def _best_turns(team: Team, pursuit: Pursuit, order: Ints) -> tuple[Floats, bool]:
+    """Return the turns (N,) with the latest last capture, and whether the search converged."""
     evaders = team.as_rows()
     if np.isinf(team.turn_rates).all():
-        near, _ = _closed_in(evaders, pursuit, order, _NEAR_ROOT)
+        near, _ = _closed_in(evaders, pursuit, order, _ROOT_SEARCH_FROM)
         root = root_near(evaders, pursuit, order, near)
         if root is not None:
             return root, True

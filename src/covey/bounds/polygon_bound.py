@@ -1,9 +1,9 @@
 """A proven bound on how late the last capture in a known sequence can come.
 
-The maximum over all headings, and over all curved, slow or wavering flights too, is at most that
-over the corners of polygons which contain the disks of the evaders' velocities
-(docs/decisions/0006). The corners stand close around the best headings known, and then around those
-that the bound itself points at, so that it is close as well.
+The evaders' velocities lie in disks. The maximum over all flights, curved, slow and wavering ones
+included, is at most the maximum over the corners of polygons around these disks
+(docs/decisions/0006). The bound is tight because the corners are dense around the best headings
+known, and then around the headings at which the bound is attained.
 """
 
 from __future__ import annotations
@@ -21,49 +21,62 @@ from covey.model.validation import Floats
 from covey.planning.guarantee import longest_game, paths_of, pursuit_of
 
 _CLOSEST = 1e-6
-"""Radians from the best heading to the next tangent; the bound errs by the square of it."""
+"""Radians from the best heading to the next tangent; the bound errs by the square of this."""
 
 _GROWTH = 0.12
-"""By how much of its distance from the best heading a tangent is farther away than the last."""
+"""Gap from a tangent to the next, as a share of the tangent's distance from the best heading."""
 
 _LARGEST_GAP = 0.3
-_MOST_TANGENTS = 4000
-_MOST_CENTERS = 5
+_MAX_TANGENTS = 4000
+_MAX_CENTERS = 5
 _FULL_TURN = 2.0 * math.pi
 
 
-def latest_capture(team: Team, disk: PursuerDisk, plan: SequencePlan) -> float:
-    """Bound the last capture in the plan's sequence, whatever the evaders do.
+def last_capture_bound(team: Team, disk: PursuerDisk, plan: SequencePlan) -> float:
+    """Bound the last capture in a known sequence from above, whatever the evaders do.
 
-    The pursuer starts at the disk's centre and comes to the evaders' very places, except the last
-    one, which it captures from as far as it can reach. A captured evader counts as if it flew on.
+    Parameters
+    ----------
+    team, disk
+        The state of the game, each evader slower than the pursuer. The pursuer starts at the disk's
+        centre. It flies to each evader's exact position; only for the last one the capture radius
+        counts. An evader that it passes on the way counts as still flying.
+    plan
+        The sequence, and headings near which the maximum is expected.
+
+    Returns
+    -------
+    float
+        A time by which the last evader is captured.
     """
     right = _tangents(float(team.speeds.max()) / disk.speed)
     if len(right) == 0:
         return longest_game(team, disk)
     bound, centers = math.inf, plan.goal_headings[np.newaxis, :]
-    for _ in range(_MOST_CENTERS):
+    for _ in range(_MAX_CENTERS):
         headings, stretch = _corners(right, centers)
-        latest, where = _latest_at_corners(team, disk, plan.sequence, headings, stretch)
+        latest, attained = _latest_at_corners(team, disk, plan.sequence, headings, stretch)
         bound = min(bound, latest)
-        off = np.abs(wrap_angle(centers - where)).min(axis=0)
+        off = np.abs(wrap_angle(centers - attained)).min(axis=0)
         if off[list(plan.sequence[:-1])].max(initial=0.0) < _CLOSEST:
             break
-        centers = np.vstack([centers, where])
+        centers = np.vstack([centers, attained])
     return bound
 
 
 def _latest_at_corners(
     team: Team, disk: PursuerDisk, sequence: tuple[int, ...], headings: Floats, stretch: Floats
 ) -> tuple[float, Floats]:
-    """Return the latest last capture and the headings (N,) of all but the last that it belongs to.
+    """Return the latest last capture over all corners, and the headings (N,) that attain it.
 
-    `headings` (N, corners) are those of the corners, `stretch` how much faster they are.
+    Corner velocities have the directions `headings` (N, corners) and are `stretch` (N, corners)
+    times as fast as the evader. The last evader's heading is not searched for: its first corner's
+    stands there.
     """
     *others, last = sequence
-    best = headings[:, 0].copy()
-    times, places = np.zeros(1), disk.center[np.newaxis, :]
-    before = np.empty(headings.shape, np.int64)
+    attained = headings[:, 0].copy()
+    times, positions = np.zeros(1), disk.center[np.newaxis, :]
+    predecessor = np.empty(headings.shape, np.int64)
     if others:
         corners = headings.shape[1]
         evader = np.repeat(np.arange(len(team)), corners)
@@ -74,29 +87,29 @@ def _latest_at_corners(
         first_captures(paths, pursuit, others[0], times)
         for previous, i in itertools.pairwise(others):
             earlier, times = times, np.empty(corners)
-            next_captures(paths, pursuit, previous, i, earlier, times, before[i])
+            next_captures(paths, pursuit, previous, i, earlier, times, predecessor[i])
         before_last = to_corners.take(np.flatnonzero(evader == others[-1]))
         flown = (before_last.speeds * times)[:, np.newaxis] * unit_vectors(before_last.headings)
-        places = before_last.positions + flown
-    # The last one flees straight from where the one before is captured, at its own speed.
-    gaps = np.hypot(*(team.positions[last] - places).T) - disk.capture_radius
+        positions = before_last.positions + flown
+    # The last evader flees straight from the capture before its own, at its own speed.
+    gaps = np.hypot(*(team.positions[last] - positions).T) - disk.capture_radius
     fled = (disk.speed * times + gaps) / (disk.speed - team.speeds[last])
     ends = np.maximum(fled, times)
     corner = int(ends.argmax())
     latest = float(ends[corner])
     for i in reversed(others):
-        best[i], corner = headings[i, corner], before[i, corner]
-    return latest, best
+        attained[i], corner = headings[i, corner], predecessor[i, corner]
+    return latest, attained
 
 
 def _tangents(ratio: float) -> Floats:
-    """Directions up to π, from a heading in the middle, in which a polygon touches the unit disk.
+    """Return angles in (0, π] from a polygon's densest direction to its tangents of the unit disk.
 
-    Evaders of `ratio` times the pursuer's speed, stretched to its corners, must stay slower; there
-    are none if that takes too many.
+    The gaps are so small that an evader of `ratio` times the pursuer's speed stays slower than the
+    pursuer at every corner. Empty if that takes more than `_MAX_TANGENTS`.
     """
     gap = min(_LARGEST_GAP, 2.0 * math.acos(2.0 * ratio / (1.0 + ratio)))
-    if gap * _MOST_TANGENTS < 2.0 * math.pi:
+    if gap * _MAX_TANGENTS < 2.0 * math.pi:
         return np.empty(0)
     tangents = [_CLOSEST]
     while tangents[-1] < math.pi:
@@ -105,9 +118,10 @@ def _tangents(ratio: float) -> Floats:
 
 
 def _corners(right: Floats, centers: Floats) -> tuple[Floats, Floats]:
-    """Directions and distances (N, corners) of the corners of polygons around unit disks.
+    """Return directions and distances (N, corners) of the corners of polygons around unit disks.
 
-    They touch the disks in the directions of all tangents to both sides of all centers (C, N).
+    The polygons touch the disks in the directions `right` (T,) to both sides of all `centers`
+    (C, N).
     """
     offsets = np.concatenate([-right[:-1], right])
     touching = np.sort(

@@ -1,4 +1,4 @@
-"""The root search for the best straight flights against a known sequence."""
+"""Newton's method on the gradient of the last capture in a known sequence."""
 
 from __future__ import annotations
 
@@ -17,39 +17,42 @@ from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.capture.sequence import capture_times
 from covey.model.validation import Floats, Ints
 
-_FOUND = 1e-6
-"""Radians. A Newton step as short as this squares the error: the next one is lost in rounding."""
+_CONVERGED = 1e-6
+"""Radians. After a Newton step as short as this the error is of the order of rounding."""
 
 _ROUNDING = 1e-13
-"""Relative, of a last capture."""
+"""Relative rounding error of a last capture."""
 
 
 def root_near(evaders: Floats, pursuit: Pursuit, sequence: Ints, turns: Floats) -> Floats | None:
-    """Find the turns near those given at which the last capture has no gradient.
+    """Find turns near the given ones at which the gradient of the last capture vanishes.
 
-    For unlimited turn rates, where the last capture has no gradient as soon as evader k flies along
-    λ_k n_k - λ_{k+1} n_{k+1}, and the last one straight away from the place of the capture before
-    its own; see `plan_for_sequence`. Newton's method, on until rounding is all that is left.
+    For unlimited turn rates. There the gradient vanishes if evader k flies along
+    λ_k n_k - λ_{k+1} n_{k+1}, and the last one straight away from the capture before its own; see
+    `plan_for_sequence`. Newton's method runs until rounding stops the steps from shrinking.
 
     Parameters
     ----------
     evaders
-        (N, 5) as the kernels have them.
-    pursuit, sequence
-        The game, and the order of capture.
+        (N, 5) rows of `Team.as_rows`.
+    pursuit
+        The pursuer, in the kernels' form.
+    sequence
+        (N,) the capture sequence.
     turns
-        (N,) near a maximum.
+        (N,) radians, near a maximum.
 
     Returns
     -------
     numpy.ndarray or None
-        (N,) turns with a last capture no earlier; None where the search leads elsewhere.
+        (N,) turns whose last capture is no earlier than at `turns`; None if the search diverges or
+        ends at a lower value.
     """
     root, shortest = turns.copy(), math.inf
     first, gradient, hessian = _stationarity(evaders, pursuit, sequence, root)
     last = first
     while True:
-        # An evader that is captured where it stands has no say: its row is 0, and so is its step.
+        # Row and step of an evader that is captured at time 0 are 0: its turn changes nothing.
         step = np.linalg.lstsq(hessian, -gradient)[0]
         length = float(np.abs(step).max())
         if not length < 0.5 * shortest:
@@ -57,7 +60,7 @@ def root_near(evaders: Floats, pursuit: Pursuit, sequence: Ints, turns: Floats) 
         root += step
         shortest = length
         last, gradient, hessian = _stationarity(evaders, pursuit, sequence, root)
-    return root if shortest <= _FOUND and last >= first * (1.0 - _ROUNDING) else None
+    return root if shortest <= _CONVERGED and last >= first * (1.0 - _ROUNDING) else None
 
 
 def _stationarity(

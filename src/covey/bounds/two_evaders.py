@@ -1,4 +1,4 @@
-"""The yardstick: the true value of the game of two evaders, by dynamic programming on a grid."""
+"""The true value of the game of two evaders, by dynamic programming on a grid."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from covey.kernels.two_evaders import Grid, set_upper_bound, set_upper_bounds, s
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.validation import Floats, frozen_array, number, read_only, whole_number
 
-_FEWEST_CELLS = 16
-_FINENESS = 2.0
-"""The grid's steps shrink by 1/cosh of this, 3.8 times, towards both evaders at one place."""
+_MIN_CELLS = 16
+_GRADING = 2.0
+"""The grid's steps shrink by 1/cosh of this, 3.8 times, towards both evaders at one position."""
 
-_MOST_SWEEPS = 20_000
+_MAX_SWEEPS = 20_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,11 +29,11 @@ class TwoEvaderValue:
     speeds : numpy.ndarray
         (2,) the evaders' speeds, relative to the pursuer's.
     shares : numpy.ndarray
-        (cells + 1, cells + 1) the value as a share, <= 1, of what it would be if the pursuer
-        announced the better order; by balance atan2(b, a) from 0 to π/2, where a and b are the
-        distances of the evaders, and by opening from 0 to π, the angle between them.
+        (cells + 1, cells + 1) the value divided by the value of the better announced order, <= 1.
+        Rows: the balance atan2(b, a) from 0 to π/2, where a and b are the distances of the evaders.
+        Columns: the opening from 0 to π, the angle between the evaders as the pursuer sees them.
     sweeps : int
-        Sweeps of the grid, and of the coarser ones that it begins and is extrapolated with.
+        Sweeps of this grid and of the coarser grids before it.
     """
 
     speeds: Floats
@@ -41,17 +41,17 @@ class TwoEvaderValue:
     sweeps: int
 
     def at(self, offsets: npt.ArrayLike) -> Any:
-        """Return the value by where the evaders are.
+        """Return the value at positions of the evaders.
 
         Parameters
         ----------
         offsets
-            (..., 2, 2) places of the two evaders, relative to the pursuer.
+            (..., 2, 2) positions of the two evaders, relative to the pursuer.
 
         Returns
         -------
         float or numpy.ndarray
-            (...), times at pursuer speed 1. The shares are bilinear between the grid's points.
+            (...), times at pursuer speed 1. The shares are interpolated bilinearly.
         """
         off = np.asarray(offsets, dtype=np.float64)
         distances = np.hypot(off[..., 0], off[..., 1])
@@ -63,10 +63,10 @@ class TwoEvaderValue:
         situations = np.column_stack([distances.reshape(-1, 2), opening.ravel()])
         set_upper_bounds(situations, self.speeds[0], self.speeds[1], upper_bounds)
         cells = len(self.shares) - 1
-        return upper_bounds.reshape(opening.shape) * _between(
+        return upper_bounds.reshape(opening.shape) * _bilinear(
             self.shares,
-            0.5 * cells * (1.0 + _shrunk(balance / (math.pi / 4.0) - 1.0)),
-            cells * _shrunk(opening / math.pi),
+            0.5 * cells * (1.0 + _undo_grading(balance / (math.pi / 4.0) - 1.0)),
+            cells * _undo_grading(opening / math.pi),
         )
 
     def of(self, team: Team, disk: PursuerDisk) -> float:
@@ -75,12 +75,13 @@ class TwoEvaderValue:
         Parameters
         ----------
         team, disk
-            Two evaders of these speeds, unlimited turn rates, and a pursuer that is a point.
+            Two evaders of these speeds with unlimited turn rates; a pursuer of radius 0 and capture
+            radius 0.
 
         Raises
         ------
         InputError
-            If it is another game.
+            If the game is another one.
         """
         if len(team) != 2 or not np.isinf(team.turn_rates).all():
             raise InputError(
@@ -107,11 +108,11 @@ def solve_two_evaders(
     speeds
         (2,) relative to the pursuer's, in [0, 1).
     cells
-        Of the grid in each direction, >= 16. On 256 the value is known to some 0.02 % for pairs at
-        random, and to 0.2 %, at worst 1 %, where the two are close to each other: by so much the
-        value moves from 128 cells to 256 (docs/yardstick.md).
+        Cells of the grid in each direction, >= 16. From 128 to 256 cells the value changes by some
+        0.02 % for random pairs, and by 0.2 %, at most 1 %, for two that are close to each other
+        (docs/yardstick.md).
     tolerance
-        Sweeps end when none changes a value, which are around 1, by more.
+        Sweeps end when none changes a value by more; values are around 1.
 
     Returns
     -------
@@ -125,9 +126,9 @@ def solve_two_evaders(
     Notes
     -----
     After the first capture the value is the distance over the difference of the speeds. The pursuer
-    can announce an order at any time, so the value never exceeds that of the better announced one,
-    which is computed exactly; the grid holds the share that is left of it. The error of the sweeps
-    halves as the cells double, so two grids are extrapolated.
+    can announce an order at any time, so the value of the better announced order is an upper bound.
+    It is computed exactly; the grid holds the quotient of the value and this bound. The error of
+    the grid halves as the cells double, so the values of two grids are extrapolated.
 
     References
     ----------
@@ -137,32 +138,32 @@ def solve_two_evaders(
     rates = frozen_array("speeds", speeds, (2,))
     if rates.min() < 0.0 or rates.max() >= 1.0:
         raise InputError(f"speeds: expected two numbers in [0, 1), got {rates.tolist()}")
-    whole_number("cells", cells, low=_FEWEST_CELLS)
+    whole_number("cells", cells, low=_MIN_CELLS)
     number("tolerance", tolerance, low=0.0, strictly=True)
     sizes = [cells]
-    while sizes[0] >= _FEWEST_CELLS:
+    while sizes[0] >= _MIN_CELLS:
         sizes.insert(0, sizes[0] // 2)
     fine, sweeps = np.ones((2, 2)), 0
     for size in sizes:
         coarse = _refined(fine, size)
         fine, count = _swept(rates, coarse, tolerance)
         sweeps += count
-    # The error halves as the cells double: extrapolated, most of it goes.
+    # The error halves as the cells double, so extrapolation removes most of it.
     shares = np.minimum(2.0 * fine - coarse, 1.0)
     return TwoEvaderValue(rates, read_only(shares), sweeps)
 
 
 def _swept(speeds: Floats, shares: Floats, tolerance: float) -> tuple[Floats, int]:
-    """Sweep shares until they stand still; return them, and after how many sweeps."""
+    """Sweep until no value changes by more than `tolerance`; return shares and number of sweeps."""
     cells, (v1, v2) = len(shares) - 1, speeds.tolist()
-    balances, balance_steps = _stretched(cells, -1.0, math.pi / 4.0)
+    balances, balance_steps = _graded(cells, -1.0, math.pi / 4.0)
     balances += math.pi / 4.0
-    openings, opening_steps = _stretched(cells, 0.0, math.pi)
+    openings, opening_steps = _graded(cells, 0.0, math.pi)
     grid = Grid(balances, balance_steps, openings, opening_steps)
     upper_bound = np.empty(shares.shape)
     set_upper_bound(grid, v1, v2, upper_bound)
     values = shares * upper_bound
-    for count in range(1, _MOST_SWEEPS):
+    for count in range(1, _MAX_SWEEPS):
         change = sweep(values, upper_bound, grid, v1, v2)
         if change < tolerance:
             return values / upper_bound, count
@@ -170,25 +171,25 @@ def _swept(speeds: Floats, shares: Floats, tolerance: float) -> tuple[Floats, in
 
 
 def _refined(shares: Floats, cells: int) -> Floats:
-    """Interpolate between the points of a grid of half as many cells."""
-    places = np.linspace(0.0, len(shares) - 1.0, cells + 1)
-    return _between(shares, places[:, np.newaxis], places)
+    """Interpolate the shares of a coarser grid on one of `cells` cells."""
+    rows = np.linspace(0.0, len(shares) - 1.0, cells + 1)
+    return _bilinear(shares, rows[:, np.newaxis], rows)
 
 
-def _stretched(cells: int, low: float, scale: float) -> tuple[Floats, Floats]:
-    """Points from `low` to 1 times `scale`, dense around 0, and the steps between them."""
+def _graded(cells: int, low: float, scale: float) -> tuple[Floats, Floats]:
+    """Return points from `low` to 1, times `scale`, dense around 0, and the steps between them."""
     even = np.linspace(low, 1.0, cells + 1)
-    points = np.sinh(_FINENESS * even) / math.sinh(_FINENESS)
-    slopes = _FINENESS * np.cosh(_FINENESS * even) / math.sinh(_FINENESS)
+    points = np.sinh(_GRADING * even) / math.sinh(_GRADING)
+    slopes = _GRADING * np.cosh(_GRADING * even) / math.sinh(_GRADING)
     return scale * points, scale * slopes * (1.0 - low) / cells
 
 
-def _shrunk(points: Floats) -> Floats:
-    """Undo the stretching: even places in [-1, 1]."""
-    return np.arcsinh(points * math.sinh(_FINENESS)) / _FINENESS
+def _undo_grading(points: Floats) -> Floats:
+    """Return evenly spaced coordinates in [-1, 1] for points of a graded grid."""
+    return np.arcsinh(points * math.sinh(_GRADING)) / _GRADING
 
 
-def _between(table: Floats, rows: Floats, columns: Floats) -> Floats:
+def _bilinear(table: Floats, rows: Floats, columns: Floats) -> Floats:
     """Interpolate bilinearly at fractional rows and columns."""
     last = len(table) - 1
     i = np.clip(rows.astype(np.int64), 0, last - 1)

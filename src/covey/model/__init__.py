@@ -1,4 +1,7 @@
-"""What a game is: teams, the pursuer's disk, objectives, angles; frozen, checked when made."""
+"""What a game is: the team, the pursuer's disk, the objective. Values are frozen and checked.
+
+Read `team`, `pursuer_disk` and `objectives`; `angles` and `validation` serve them and all rooms.
+"""
 
 from covey.model.angles import turns_to, wrap_angle
 from covey.model.objectives import (

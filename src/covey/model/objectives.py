@@ -1,4 +1,4 @@
-"""What a game is about: what the team makes large, and the pursuer small."""
+"""Objectives: what the team maximises and the pursuer minimises."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from covey.model.validation import Floats, InputError, Ints, choice, listed, num
 MEASURES = ("last", "total")
 
 MAX_PERMUTED = 8
-"""Largest team whose N! sequences an expectation runs over; 40 320 for this one."""
+"""Largest team for which an expectation runs over all N! sequences; 40 320 for this one."""
 
 
 class SequenceDistribution(NamedTuple):
-    """Capture sequences (K, N) and their probabilities (K,)."""
+    """Capture sequences and their probabilities."""
 
-    sequences: Ints
-    probabilities: Floats
+    sequences: Ints  # (K, N)
+    probabilities: Floats  # (K,)
 
 
 @dataclass(frozen=True)
@@ -53,20 +53,21 @@ class TotalSurvival:
 
 @dataclass(frozen=True)
 class ExpectedSurvival:
-    """The expected value over a pursuer that draws its capture sequence; nothing is guaranteed.
+    """The expected value for a pursuer that draws its capture sequence; nothing is guaranteed.
 
-    The second objective that the paper's last sentence proposes. As captures happen, sequences that
-    begin otherwise are ruled out.
+    The second objective that the paper's last sentence proposes. Each capture rules out the
+    sequences that don't begin with the captures so far.
 
     Parameters
     ----------
     sequences
-        Those that the pursuer draws from, each with every evader's number once. None: all of them,
-        for teams of up to eight.
+        Capture sequences that the pursuer draws from, each with every evader's number once. None:
+        all sequences, for teams of up to eight.
     weights
-        How likely each is, relative to the others, >= 0. None: all alike.
+        Relative probability of each sequence, >= 0. None: all sequences are equally likely.
     measure
-        Of what: "total", the sum of all survival times, or "last", the time of the last capture.
+        Whose value is expected: "total", the sum of all survival times, or "last", the time of the
+        last capture.
 
     Raises
     ------
@@ -102,7 +103,7 @@ Objective = LastCapture | TotalSurvival | ExpectedSurvival
 
 
 def objective_value(objective: Objective, capture_times: npt.ArrayLike) -> float:
-    """Return what an objective measures of the times at which all of a team were captured."""
+    """Return the sum or the latest of a whole team's capture times (N,), as the objective asks."""
     times = np.asarray(capture_times, dtype=np.float64)
     return float(times.sum() if objective.measure == "total" else times.max())
 
@@ -113,12 +114,12 @@ def distribution_of(
     weights: tuple[float, ...] | None,
     count: int,
 ) -> SequenceDistribution:
-    """Return the sequences of `count` evaders that are drawn from, and their probabilities.
+    """Return the distribution of the capture sequences of `count` evaders.
 
     Raises
     ------
     InputError
-        If they are sequences of another team, or too many; `name` is what the error calls them.
+        If the sequences are of another team, or too many. `name` begins the message.
     """
     if sequences is None:
         if count > MAX_PERMUTED:
@@ -131,14 +132,14 @@ def distribution_of(
         raise InputError(
             f"{name}: expected sequences of all {count} evaders, got {list(sequences[0])}"
         )
-    likely = np.ones(len(sequences)) if weights is None else np.array(weights)
-    return SequenceDistribution(np.array(sequences, dtype=np.int64), likely / likely.sum())
+    shares = np.ones(len(sequences)) if weights is None else np.array(weights)
+    return SequenceDistribution(np.array(sequences, dtype=np.int64), shares / shares.sum())
 
 
 def checked_distribution(
     name: str, sequences: Sequence[Sequence[int]] | None, weights: Sequence[float] | None
 ) -> tuple[tuple[tuple[int, ...], ...] | None, tuple[float, ...] | None]:
-    """Return sequences of one team and their weights; raise InputError if they are none."""
+    """Return sequences of one team and their weights, checked; else raise InputError."""
     if sequences is None:
         if weights is not None:
             raise InputError(f"{name}.weights: expected none without sequences, got {weights!r}")
@@ -170,7 +171,7 @@ def _checked_weights(name: str, weights: Sequence[float], count: int) -> tuple[f
 def describe_distribution(
     sequences: tuple[tuple[int, ...], ...] | None, weights: tuple[float, ...] | None
 ) -> Mapping[str, Any]:
-    """Return what was given of sequences and weights, as a scenario file gives it."""
+    """Return the sequences and weights that were given, as a scenario file gives them."""
     described: dict[str, Any] = {}
     if sequences is not None:
         described["sequences"] = [list(sequence) for sequence in sequences]

@@ -1,4 +1,4 @@
-"""The pursuer as the team knows it: a disk that it is in, its speed, its reach."""
+"""The pursuer as the team knows it: a disk that contains it, its speed, its capture radius."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ class PursuerDisk:
     speed
         v_p > 0, length per time.
     capture_radius
-        ρ >= 0, a length: an evader is captured when the pursuer comes within it. The paper's game
-        has ρ = 0.
+        ρ >= 0, a length: the pursuer captures an evader within this distance. The paper's game has
+        ρ = 0.
 
     Raises
     ------
@@ -69,7 +69,7 @@ class PursuerDisk:
         return self.towards(goal, self.radius)
 
     def require_faster_than(self, team: Team) -> None:
-        """Raise InputError if an evader is as fast as the pursuer: it could flee for ever."""
+        """Raise InputError if an evader is as fast as the pursuer, and so could flee for ever."""
         fastest = int(team.speeds.argmax())
         if team.speeds[fastest] >= self.speed:
             raise InputError(

@@ -24,8 +24,8 @@ class Team:
     speeds
         One number or (N,), lengths per time, >= 0. Default 0.25 (section V of the paper).
     turn_rates
-        One number or (N,), radians per time, >= 0; `inf` is simple motion: the evader turns at
-        once. Default π/2 (section V of the paper).
+        One number or (N,), radians per time, >= 0. `inf` is simple motion: the evader turns in no
+        time. Default π/2 (section V of the paper).
 
     Attributes
     ----------
@@ -50,18 +50,18 @@ class Team:
         speeds: npt.ArrayLike = 0.25,
         turn_rates: npt.ArrayLike = math.pi / 2,
     ) -> None:
-        places = frozen_array("positions", positions, (None, 2))
-        count = len(places)
+        positions = frozen_array("positions", positions, (None, 2))
+        count = len(positions)
         if count == 0:
             raise InputError("positions: expected at least one evader, got none")
-        angles = frozen_array("headings", headings, (None,))
-        if len(angles) != count:
+        headings = frozen_array("headings", headings, (None,))
+        if len(headings) != count:
             raise InputError(
-                f"headings: expected one for each of {count} evaders, got shape {angles.shape}"
+                f"headings: expected one for each of {count} evaders, got shape {headings.shape}"
             )
         for name, value in (
-            ("positions", places),
-            ("headings", angles),
+            ("positions", positions),
+            ("headings", headings),
             ("speeds", frozen_rates("speeds", speeds, count, infinite=False)),
             ("turn_rates", frozen_rates("turn_rates", turn_rates, count, infinite=True)),
         ):
@@ -78,7 +78,7 @@ class Team:
         )
 
     def as_rows(self) -> Floats:
-        """Return (N, 5) rows (x, y, heading, speed, turn rate), the form the kernels read."""
+        """Return (N, 5) rows (x, y, heading, speed, turn rate), as the kernels read them."""
         rows = np.empty((len(self), 5))
         rows[:, :2] = self.positions
         rows[:, 2], rows[:, 3], rows[:, 4] = self.headings, self.speeds, self.turn_rates

@@ -1,6 +1,6 @@
-"""The border: what comes from outside is checked here, before anything is computed with it.
+"""Checks of arguments: each function returns the checked value or raises InputError.
 
-Every message names the argument, what was wanted and what came.
+Every message names the argument, what was expected and what was given.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ Ints = npt.NDArray[np.int64]
 
 
 LARGEST = 1e100
-"""Of any length, speed or rate: squares must be numbers still."""
+"""Largest length, speed or rate: its square must be finite."""
 
 
 class InputError(ValueError):
-    """An argument that can't be used; the message says what was wanted and what came."""
+    """An argument that can't be used; the message says what was expected and what was given."""
 
 
 def read_only(array: Floats) -> Floats:
@@ -91,7 +91,7 @@ def choice(name: str, value: object, allowed: Sequence[str]) -> str:
 
 
 def listed(name: str, value: object) -> list[Any]:
-    """Return `value` as a list of whatever it holds."""
+    """Return the items of `value` as a list."""
     if isinstance(value, str) or not isinstance(value, Iterable):
         raise InputError(f"{name}: expected a list, got {value!r}")
     return list(value)
@@ -102,11 +102,11 @@ def permutation(name: str, value: object, count: int) -> Ints:
     try:
         array = np.asarray(value)
         fits = array.shape == (count,) and sorted(array.tolist()) == list(range(count))
-    except (TypeError, ValueError):  # a ragged list, or one of this and that
+    except (TypeError, ValueError):  # a ragged list, or items of several types
         fits = False
     if not fits:
-        came = value.tolist() if isinstance(value, np.ndarray) else value
-        raise InputError(f"{name}: expected each evader 0..{count - 1} once, got {came!r}")
+        given = value.tolist() if isinstance(value, np.ndarray) else value
+        raise InputError(f"{name}: expected each evader 0..{count - 1} once, got {given!r}")
     return np.ascontiguousarray(array, dtype=np.int64)
 
 
@@ -138,6 +138,6 @@ def _numbers(name: str, value: object) -> Floats:
 
 def _reject(name: str, array: Floats, bad: npt.NDArray[np.bool_], wanted: str) -> None:
     if bad.any():
-        place = np.unravel_index(int(np.argmax(bad)), array.shape)
-        index = "" if array.size == 1 else "[" + ", ".join(str(int(i)) for i in place) + "]"
-        raise InputError(f"{name}: expected {wanted}, got {name}{index} = {array[place]}")
+        first = np.unravel_index(int(np.argmax(bad)), array.shape)
+        index = "" if array.size == 1 else "[" + ", ".join(str(int(i)) for i in first) + "]"
+        raise InputError(f"{name}: expected {wanted}, got {name}{index} = {array[first]}")

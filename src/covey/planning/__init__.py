@@ -1,4 +1,8 @@
-"""The open-loop plan: what it guarantees, and the best one."""
+"""The open-loop plan: the survival time that it guarantees, and the search for the best plan.
+
+Read `guarantee` (the inner half of eq. 6), then `open_loop`, `plan` itself, then `multistart`.
+`compiled_objective` turns an objective into the kernels' form.
+"""
 
 from covey.planning.guarantee import (
     Guarantee,

@@ -1,4 +1,4 @@
-"""What a plan is worth: Algorithm 1 for one sequence, and the exact minimum over all of them."""
+"""What a plan guarantees: Algorithm 1 for one capture sequence, the exact minimum over all."""
 
 from __future__ import annotations
 
@@ -30,15 +30,15 @@ from covey.planning.workspace import workspace
 
 @dataclass(frozen=True)
 class Guarantee:
-    """A guaranteed survival time, or sum of them, and the capture sequence that attains it.
+    """A guaranteed survival time, or sum of survival times, and a sequence that attains it.
 
     Attributes
     ----------
     time : float
-        No pursuer in the disk can capture the last evader earlier or, for `TotalSurvival`, bring
-        the sum of all survival times below.
+        The earliest time by which a pursuer in the disk can capture everybody; for `TotalSurvival`
+        the least sum of all survival times.
     sequence : tuple of int
-        Order of capture by which a pursuer that knows the plan needs just this time.
+        A capture sequence that attains `time`.
     """
 
     time: float
@@ -46,14 +46,14 @@ class Guarantee:
 
 
 def pursuit_of(disk: PursuerDisk) -> Pursuit:
-    """Return the disk as the kernels see it."""
+    """Return the pursuer in the kernels' form."""
     x, y = disk.center.tolist()
     reach = disk.capture_radius
     return Pursuit(x, y, disk.radius + reach, 2.0 * reach, disk.speed)
 
 
 def paths_of(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> Floats:
-    """Return the paths (N, PATH) of a team that makes `turns` (N,), as the kernels read them."""
+    """Return the paths (N, PATH), in the kernels' form, of a team that makes `turns` (N,)."""
     checked = frozen_array("turns", turns, (len(team),))
     paths = np.empty((len(team), PATH))
     set_paths(team.as_rows(), checked, disk.speed, paths)
@@ -61,7 +61,7 @@ def paths_of(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> Floats:
 
 
 def check_game(team: Team, disk: PursuerDisk) -> None:
-    """Raise InputError unless this team and this pursuer make a game that can be planned."""
+    """Raise InputError if an evader is as fast as the pursuer, or the team is too large."""
     disk.require_faster_than(team)
     if len(team) > MOST_EVADERS:
         raise InputError(
@@ -71,10 +71,10 @@ def check_game(team: Team, disk: PursuerDisk) -> None:
 
 
 def longest_game(team: Team, disk: PursuerDisk) -> float:
-    """By when a pursuer that keeps to any one sequence has captured everybody.
+    """Return a time by which a pursuer that keeps to any one sequence has captured everybody.
 
-    An evader that is d away is captured within d / (v_p - v), and until then the next one gets no
-    farther away than what both can fly.
+    An evader at distance d is captured within d / (v_p - v). Meanwhile the distance to the next
+    evader grows by no more than both can fly. A time of 0 is returned as infinity.
     """
     offsets = team.positions - disk.center
     farthest = float(np.hypot(offsets[:, 0], offsets[:, 1]).max()) + disk.radius
@@ -138,7 +138,7 @@ def guaranteed_survival(
     turns
         (N,) signed turns δ, radians.
     objective
-        Of what: the last capture, or `TotalSurvival()`, the sum of all survival times.
+        What is guaranteed: the last capture, or `TotalSurvival()`, the sum of all survival times.
 
     Returns
     -------
@@ -184,13 +184,13 @@ def expected_survival(
     turns
         (N,) signed turns δ, radians.
     objective
-        The sequences, how likely each is, and what is measured.
+        The sequences, their probabilities, and whether the sum or the last capture is expected.
 
     Returns
     -------
     float
-        The mean of the sums of all survival times, or of the last ones; each sequence is flown as
-        fast as possible (Algorithm 1).
+        The expected sum of all survival times, or the expected last capture. The pursuer flies each
+        sequence as fast as possible (Algorithm 1).
 
     Raises
     ------
@@ -208,7 +208,7 @@ def expected_survival(
 def value_of_plan(
     team: Team, disk: PursuerDisk, turns: npt.ArrayLike, objective: Objective
 ) -> float:
-    """Return what a plan makes of an objective, guaranteed or expected."""
+    """Return the value of an objective at a plan's turns, guaranteed or expected."""
     if isinstance(objective, ExpectedSurvival):
         return expected_survival(team, disk, turns, objective)
     return guaranteed_survival(team, disk, turns, objective=objective).time
