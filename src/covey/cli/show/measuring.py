@@ -13,7 +13,7 @@ from rich.table import Table
 from covey import views
 from covey.cli.shared.outputs import print_saved, write_csv
 from covey.model.validation import whole_number
-from covey.studies.analysis.yardstick import SPEEDS, Change, Score, Yardstick, measure
+from covey.studies.analysis.yardstick import SPEEDS, Change, Yardstick, YardstickRow, measure
 from covey.views.charts.closeness import Closeness
 
 
@@ -35,7 +35,7 @@ def print_yardstick(measured: list[Yardstick]) -> None:
         table.add_column(head, justify="right", no_wrap=True)
     for yardstick in measured:
         changes = {change.pairs: change for change in yardstick.changes}
-        for (speeds, pairs, evaders), shares in _shares(yardstick.scores).items():
+        for (speeds, pairs, evaders), shares in _shares(yardstick.rows).items():
             known = f"{100 * changes[pairs].mean:.1g} %"
             figures = (np.mean(shares), np.min(shares), np.max(shares))
             table.add_row(speeds, pairs, evaders, *(f"{each:.4f}" for each in figures), known)
@@ -46,8 +46,8 @@ def print_yardstick(measured: list[Yardstick]) -> None:
 
 def save_yardstick(measured: list[Yardstick], folder: Path) -> None:
     """Save every game, the changes from grid to grid, and the picture."""
-    scores = [score for each in measured for score in each.scores]
-    write_csv(folder / "yardstick.csv", Score._fields, scores)
+    scores = [score for each in measured for score in each.rows]
+    write_csv(folder / "yardstick.csv", YardstickRow._fields, scores)
     changes = [change for each in measured for change in each.changes]
     write_csv(folder / "convergence.csv", Change._fields, changes)
     panels: dict[str, dict[str, dict[str, Closeness]]] = {}
@@ -60,7 +60,7 @@ def save_yardstick(measured: list[Yardstick], folder: Path) -> None:
     print_saved(folder / "yardstick.png")
 
 
-def _shares(scores: list[Score]) -> dict[tuple[str, str, str], list[float]]:
+def _shares(scores: list[YardstickRow]) -> dict[tuple[str, str, str], list[float]]:
     """Survival times over the value, by speeds, kind of pairs and strategy."""
     shares: dict[tuple[str, str, str], list[float]] = {}
     for score in scores:

@@ -22,7 +22,7 @@ from covey.cli.shared.outputs import print_saved
 from covey.cli.shared.sources import path_of
 from covey.cli.show.comparison import print_comparison
 from covey.studies import (
-    Line,
+    CaseSummary,
     Study,
     StudyResult,
     example_names,
@@ -110,7 +110,7 @@ def _print_cases(console: Console, result: StudyResult) -> None:
     )
 
 
-def _row(line: Line) -> list[str]:
+def _row(line: CaseSummary) -> list[str]:
     return [
         *(f"{v:.4g}" if isinstance(v, float) else str(v) for v in line.settings.values()),
         f"{line.guarantee:.4f}",

@@ -1,4 +1,4 @@
-"""What the paper says in its section V, what came out here, and whether the two agree."""
+"""The claims of the paper's section V, and whether the figures of the studies support them."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from covey.studies.paper.figures import HIDDEN, VISIBLE, Gains
 from covey.studies.statistics import Z95
 
 AT_ONE = 0.005
-"""Half width of the histogram's bin at 1: a ratio within it counts as 1."""
+"""Half width of the histogram's bin at 1. A ratio in this bin counts as 1."""
 
 _PAPER_AT_ONE = 200 / 500
 _LOWEST = 0.9
 
 
 class Claim(NamedTuple):
-    """A sentence of the paper, our figures, and whether they bear it out."""
+    """A statement of the paper, our figures, and whether they support it."""
 
     paper: str
     ours: str
@@ -32,7 +32,7 @@ HOLDS, PARTLY, DIFFERS = "holds", "holds in part", "differs"
 
 
 def fig4_claims(ratios: Mapping[int, Floats]) -> Iterator[Claim]:
-    """Compare the ratios hidden over visible of teams of 3 and 5."""
+    """Compare the paper's claims about Fig. 4 with the ratios of teams of 3 and 5."""
     three, five = ratios[3], ratios[5]
     at_one = {size: int((np.abs(values - 1.0) < AT_ONE).sum()) for size, values in ratios.items()}
     yield Claim(
@@ -76,7 +76,7 @@ def fig4_claims(ratios: Mapping[int, Floats]) -> Iterator[Claim]:
 
 
 def fig5_claims(gains: Mapping[str, Gains]) -> Iterator[Claim]:
-    """Compare the growth of the survival time with the turning rate."""
+    """Compare the paper's claims about Fig. 5 with mean survival times by turning rate."""
     steps = [step for word in gains for step in _steps(gains[word])]
     yield Claim(
         "The survival time increases with the turning rate.",
@@ -115,7 +115,7 @@ def _exactly(values: Floats) -> int:
 
 
 def _share(count: int, total: int) -> tuple[float, float]:
-    """A share, and the half width of its 95 % interval."""
+    """Return a share and the half width of its 95 % interval."""
     share = count / total
     return share, Z95 * math.sqrt(share * (1.0 - share) / total)
 
