@@ -68,14 +68,8 @@ class Moments(NamedTuple):
 def moments_of(parts: Iterable[pa.Table], cases: int, column: str = "survival_time") -> Moments:
     """Return means and covariances of a column of the games.
 
-    Parameters
-    ----------
-    parts
-        Tables of consecutive games; in each of them, whole starts.
-    cases
-        K, the number of games of a start.
-    column
-        Name of a column; games with values that are not finite count as stopped.
+    Each part is a table of whole starts, `cases` rows a start. A value that is not finite counts as
+    a game that was stopped.
     """
     zeros = np.zeros(cases)
     total = Moments(0, 0, zeros.astype(np.int64), zeros, np.zeros((cases, cases)), zeros)

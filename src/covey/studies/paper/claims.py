@@ -40,17 +40,7 @@ def fig4_claims(ratios: Mapping[int, Floats]) -> Iterator[Claim]:
         f"{at_one[3]} of {len(three)} within {AT_ONE} of 1, {_exactly(three)} within 0.000 001.",
         HOLDS if at_one[3] > len(three) / 2 else DIFFERS,
     )
-    share, error = _share(at_one[5], len(five))
-    wider = int((np.abs(five - 1.0) < 2.0 * AT_ONE).sum())
-    agrees = abs(share - _PAPER_AT_ONE) <= error
-    bracketed = at_one[5] <= _PAPER_AT_ONE * len(five) <= wider
-    yield Claim(
-        "Five evaders have a ratio of 1 in 200 of 500 starts (40 %).",
-        f"{at_one[5]} of {len(five)} ({100 * share:.0f} ± {100 * error:.0f} %) within {AT_ONE} "
-        f"of 1, {wider} within {2.0 * AT_ONE}, {_exactly(five)} within 0.000 001. The paper "
-        "doesn't say how near to 1 counts.",
-        HOLDS if agrees else PARTLY if bracketed else DIFFERS,
-    )
+    yield _five_at_one(five, at_one[5])
     low = np.sort(five[five <= _LOWEST])
     others = f"; the {len(low)} others: {', '.join(f'{q:.3f}' for q in low)}" if len(low) else ""
     yield Claim(
@@ -72,6 +62,21 @@ def fig4_claims(ratios: Mapping[int, Floats]) -> Iterator[Claim]:
         f"{100 * near[5]:.0f} % of five; by less than 5 % in "
         f"{100 * float((five > 0.95).mean()):.0f} % of five.",
         HOLDS if min(near.values()) > 0.5 else PARTLY if max(near.values()) > 0.5 else DIFFERS,
+    )
+
+
+def _five_at_one(five: Floats, at_one: int) -> Claim:
+    share = at_one / len(five)
+    error = Z95 * math.sqrt(share * (1.0 - share) / len(five))  # half width of the 95 % interval
+    wider = int((np.abs(five - 1.0) < 2.0 * AT_ONE).sum())
+    agrees = abs(share - _PAPER_AT_ONE) <= error
+    bracketed = at_one <= _PAPER_AT_ONE * len(five) <= wider
+    return Claim(
+        "Five evaders have a ratio of 1 in 200 of 500 starts (40 %).",
+        f"{at_one} of {len(five)} ({100 * share:.0f} ± {100 * error:.0f} %) within {AT_ONE} "
+        f"of 1, {wider} within {2.0 * AT_ONE}, {_exactly(five)} within 0.000 001. The paper "
+        "doesn't say how near to 1 counts.",
+        HOLDS if agrees else PARTLY if bracketed else DIFFERS,
     )
 
 
@@ -112,12 +117,6 @@ def fig5_claims(gains: Mapping[str, Gains]) -> Iterator[Claim]:
 
 def _exactly(values: Floats) -> int:
     return int((np.abs(values - 1.0) < 1e-6).sum())
-
-
-def _share(count: int, total: int) -> tuple[float, float]:
-    """Return a share and the half width of its 95 % interval."""
-    share = count / total
-    return share, Z95 * math.sqrt(share * (1.0 - share) / total)
 
 
 def _steps(gains: Gains) -> Iterator[float]:
