@@ -1,10 +1,11 @@
-"""Many games: a grid of cases, every start in each of them, on one machine or on many.
+"""Plays many games: every start of a study in every case of a grid.
 
-Tables go to a folder, part by part, so nothing is lost when a run is stopped.
+Read in this order: `design` (what is played), `running` (on which machines, into which files),
+`analysis` (means and ratios, with `statistics`), `paper` (Figs. 4 and 5).
 """
 
 from covey.scenarios.samplers import Disk, Formation, Square
-from covey.studies.analysis.summary import Line, summary
+from covey.studies.analysis.summary import CaseSummary, summary
 from covey.studies.design.as_visible import AsVisible
 from covey.studies.design.start_table import FromFile
 from covey.studies.design.study import Study
@@ -14,10 +15,10 @@ from covey.studies.running.run import run_study
 
 __all__ = [
     "AsVisible",
+    "CaseSummary",
     "Disk",
     "Formation",
     "FromFile",
-    "Line",
     "Square",
     "Study",
     "StudyResult",

@@ -1,7 +1,7 @@
-"""Means, and how sure they are, of any number of games in constant memory.
+"""Means of any number of games and their confidence intervals, in constant memory.
 
-Every start is played in every case, so the cases are correlated; their covariances are kept, and a
-ratio of two means is known much better than either.
+Every start is played in every case, so the cases are correlated. Their covariances are kept: with
+them the interval of a ratio of two means is much narrower than those of the means.
 """
 
 from __future__ import annotations
@@ -31,17 +31,17 @@ UNKNOWN = Estimate(float("nan"), float("nan"))
 
 
 class Moments(NamedTuple):
-    """Moments of survival times, or values, in K cases, over starts whose games all ended."""
+    """Means and covariances in K cases, over the starts whose games all ended."""
 
-    starts: int  # all
-    ended: int  # those counted here
+    starts: int  # all that were played
+    ended: int  # starts whose games all ended
     stopped: Ints  # (K,) games that were stopped at their time limit
     mean: Floats  # (K,)
     scatter: Floats  # (K, K) sums of products of deviations from the means
     guarantee: Floats  # (K,) mean guarantee of the first plans, over all starts
 
     def average(self, case: int) -> Estimate:
-        """Return the mean of a case, with its normal 95 % interval."""
+        """Return the mean of a case with its normal 95 % interval."""
         if self.ended == 0:
             return UNKNOWN
         return Estimate(float(self.mean[case]), self._half_width(self.scatter[case, case]))
@@ -66,34 +66,31 @@ class Moments(NamedTuple):
 
 
 def moments_of(parts: Iterable[pa.Table], cases: int, column: str = "survival_time") -> Moments:
-    """Return the moments of a column of all games, part by part."""
-    total = Moments(
-        0, 0, np.zeros(cases, np.int64), np.zeros(cases), np.zeros((cases, cases)), np.zeros(cases)
-    )
+    """Return means and covariances of a column of the games.
+
+    Each part is a table of whole starts, `cases` rows a start. A value that is not finite counts as
+    a game that was stopped.
+    """
+    zeros = np.zeros(cases)
+    total = Moments(0, 0, zeros.astype(np.int64), zeros, np.zeros((cases, cases)), zeros)
     for part in parts:
-        times = part[column].to_numpy().reshape(-1, cases)
+        values = part[column].to_numpy().reshape(-1, cases)
         guarantees = part["guarantee"].to_numpy().reshape(-1, cases)
-        total = _joined(total, _of_sample(times, guarantees))
+        total = _joined(total, _of_sample(values, guarantees))
     return total
 
 
-def _of_sample(times: Floats, guarantees: Floats) -> Moments:
-    ended = np.isfinite(times)
-    whole = times[ended.all(axis=1)]
-    mean = whole.mean(axis=0) if len(whole) else np.zeros(times.shape[1])
+def _of_sample(values: Floats, guarantees: Floats) -> Moments:
+    finite = np.isfinite(values)
+    whole = values[finite.all(axis=1)]
+    mean = whole.mean(axis=0) if len(whole) else np.zeros(values.shape[1])
     off = whole - mean
-    return Moments(
-        len(times),
-        len(whole),
-        (~ended).sum(axis=0),
-        mean,
-        off.T @ off,
-        guarantees.mean(axis=0),
-    )
+    stopped, scatter = (~finite).sum(axis=0), off.T @ off
+    return Moments(len(values), len(whole), stopped, mean, scatter, guarantees.mean(axis=0))
 
 
 def _joined(a: Moments, b: Moments) -> Moments:
-    """Join two samples without loss of digits (Chan, Golub and LeVeque 1979)."""
+    """Join two samples without cancellation (Chan, Golub and LeVeque 1979)."""
     starts, ended = a.starts + b.starts, a.ended + b.ended
     share = b.ended / ended if ended else 0.0
     step = b.mean - a.mean

@@ -48,7 +48,7 @@ def test_scores_are_ratios_of_what_the_table_holds(folder):
     compared = comparison(result)
     games = result.to_pandas()
     assert compared.base == "last capture"
-    assert {score.column for score in compared.scores} == set(MEASURES)
+    assert {score.column for score in compared.ratios} == set(MEASURES)
     chosen = games[(games["team_size"] == 3) & (games["pursuer"] == "random-sequence")]
     times = chosen[[f"capture_time_{k}" for k in range(3)]]
     own, first = (times[chosen["objective"] == name] for name in ("total-survival", "last-capture"))
@@ -59,7 +59,7 @@ def test_scores_are_ratios_of_what_the_table_holds(folder):
     }
     found = {
         score.column: score.relative.value
-        for score in compared.scores
+        for score in compared.ratios
         if score.group == "hidden pursuer, random-sequence"
         and (score.row, score.team_size) == ("sum", 3)
     }
@@ -68,7 +68,7 @@ def test_scores_are_ratios_of_what_the_table_holds(folder):
 
 def test_one_evader_alone_makes_no_difference(folder):
     compared = comparison(covey.load_study(folder / "results"))
-    alone = [score.relative.value for score in compared.scores if score.team_size == 1]
+    alone = [score.relative.value for score in compared.ratios if score.team_size == 1]
     assert alone == pytest.approx([1.0] * len(alone), rel=1e-5)
 
 

@@ -15,7 +15,7 @@ from covey.cli import main
 from covey.model import InputError
 from covey.scenarios.strategies import EVADERS, PURSUERS
 from covey.studies import Study, example_path, read_study, run_study
-from covey.studies.analysis.scores import labels
+from covey.studies.analysis.paired_ratios import labels
 from covey.studies.analysis.tournament import is_tournament, tournament
 from covey.studies.statistics import moments_of
 from covey.views.charts.comparison import Ratio
@@ -33,7 +33,7 @@ def duel(own, first, **sides):
     """The scores of the second team, by size."""
     times = np.stack([first, own], axis=-1)[:, :, None, :, None]
     sides = {"sensing": "hidden", "evaders": ["iterative-open-loop", "hold-course"], **sides}
-    found = tournament(made_up(times, **sides)).scores
+    found = tournament(made_up(times, **sides)).ratios
     return {score.team_size: score for score in found if score.row == "hold-course"}
 
 

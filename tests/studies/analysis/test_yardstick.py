@@ -26,7 +26,7 @@ def measured():
 
 
 def test_scores_every_strategy_from_every_start(measured):
-    cases = [(score.pairs, score.pair, score.evaders) for score in measured.scores]
+    cases = [(score.pairs, score.pair, score.evaders) for score in measured.rows]
     assert cases == [
         (kind, pair, name)
         for kind in ("random", "close")
@@ -36,7 +36,7 @@ def test_scores_every_strategy_from_every_start(measured):
 
 
 def test_survival_stays_below_the_value_and_the_value_in_its_bracket(measured):
-    for score in measured.scores:
+    for score in measured.rows:
         assert score.survival_time <= score.value * 1.02  # the grid is coarse
         assert score.lower <= score.value * 1.02
         assert score.value <= score.upper * (1.0 + 1e-9)
@@ -44,7 +44,7 @@ def test_survival_stays_below_the_value_and_the_value_in_its_bracket(measured):
 
 
 def test_the_least_survival_time_is_no_more_than_against_the_committed_pursuer(measured):
-    for score in measured.scores:
+    for score in measured.rows:
         team = covey.Team(
             [[score.x_1, score.y_1], [score.x_2, score.y_2]], [0.0, 0.0], SPEEDS, math.inf
         )
@@ -63,7 +63,7 @@ def test_the_least_survival_time_is_no_more_than_against_the_committed_pursuer(m
 
 
 def test_close_pairs_are_close_and_the_value_settles(measured):
-    for score in measured.scores:
+    for score in measured.rows:
         if score.pairs == "close":
             apart = math.dist((score.x_1, score.y_1), (score.x_2, score.y_2))
             assert apart <= 0.2 * math.hypot(score.x_1, score.y_1)

@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
+import pyarrow as pa
 import pytest
 
 from covey import views
 from covey.model import InputError
+from covey.studies import Study, StudyResult
 from covey.studies.paper.claims import DIFFERS, HOLDS, PARTLY, fig4_claims, fig5_claims
-from covey.studies.paper.figures import Gains
+from covey.studies.paper.figures import (
+    Gains,
+    guarantee_ratios,
+    survival_ratios,
+    turn_rate_gains,
+)
 from covey.studies.statistics import Estimate
 from covey.views.charts.gains import Curve
 
@@ -18,6 +27,52 @@ RATES = [0.8, 1.6, 3.2]
 def gains(*rows):
     ratios = {k + 2: [Estimate(value, 0.01) for value in row] for k, row in enumerate(rows)}
     return {"visible": Gains(RATES, ratios, ratios)}
+
+
+class MadeUp(StudyResult):
+    """Three starts; a survival time is a number that tells the fields of its game's case."""
+
+    def __init__(self, folder, **grid):
+        study = Study(starts=3, **grid)
+        super().__init__(folder, {"study": study.describe(), "cases": len(study.cases)})
+        self.times = [
+            start * case.team_size * (2.0 if case.sensing == "hidden" else 1.0) + case.turn_rate
+            for start, case in product((1, 2, 3), study.cases)
+        ]
+
+    def parts(self):
+        yield pa.table({"survival_time": self.times, "guarantee": np.full(len(self.times), 0.5)})
+
+
+@pytest.mark.parametrize("sensing", [["visible", "hidden"], ["hidden", "visible"]])
+def test_figures_take_their_games_by_the_fields_of_the_cases(tmp_path, sensing):
+    fig4 = MadeUp(tmp_path, team_size=[5, 3], turn_rate=1.0, sensing=sensing)
+    ratios, guarantees = survival_ratios(fig4), guarantee_ratios(fig4)
+    for size in (3, 5):
+        visible = np.array([1, 2, 3]) * size + 1.0
+        hidden = np.array([2, 4, 6]) * size + 1.0
+        assert (ratios[size] == hidden / visible).all()
+        assert (guarantees[size] == visible / 0.5).all()
+    fig5 = MadeUp(tmp_path, team_size=[2, 3], turn_rate=[3.0, 1.0], sensing=sensing)
+    gains = turn_rate_gains(fig5)["hidden"]
+    assert gains.turn_rates == [1.0, 3.0]
+    assert [each.value for each in gains.survival[3]] == pytest.approx([13.0, 15.0])
+    assert [each.value for each in gains.ratios[3]] == pytest.approx([1.0, 15.0 / 13.0])
+
+
+def test_starts_with_a_stopped_game_are_left_out_of_fig4(tmp_path):
+    fig4 = MadeUp(tmp_path, team_size=3, turn_rate=1.0)
+    fig4.times[2] = np.inf  # start 1, visible
+    assert survival_ratios(fig4)[3].tolist() == [7.0 / 4.0, 19.0 / 10.0]
+
+
+def test_a_study_without_the_games_of_a_figure_is_refused(tmp_path):
+    hidden = MadeUp(tmp_path, team_size=3, sensing="hidden")
+    with pytest.raises(InputError, match="one case with team_size = 3, sensing = visible, got 0"):
+        survival_ratios(hidden)
+    twice = MadeUp(tmp_path, team_size=3, speed=[0.2, 0.3])
+    with pytest.raises(InputError, match="one case with team_size = 3, sensing = hidden, got 2"):
+        survival_ratios(twice)
 
 
 def test_ratios_like_the_papers_bear_out_its_claims():

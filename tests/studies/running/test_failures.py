@@ -12,7 +12,7 @@ import pytest
 
 from covey.model import InputError
 from covey.studies import run_study
-from covey.studies.running import folder as store
+from covey.studies.running import result_files
 from studies.small_studies import files, small_study
 
 BAD = 20
@@ -48,7 +48,7 @@ def test_a_chunk_that_fails_is_left_out_and_reported(tmp_path, workers):
     assert not result.is_complete
     assert result.games["start"].to_numpy()[::4].tolist() == [*range(16), *range(32, 50)]
     assert result.moments.starts == 50 - 16
-    log = [json.loads(line) for line in (tmp_path / store.LOG).read_text().splitlines()]
+    log = [json.loads(line) for line in (tmp_path / result_files.LOG).read_text().splitlines()]
     assert [entry["seed"] for entry in log if entry["event"] == "failure"] == [seed]
 
 
@@ -82,14 +82,14 @@ def test_the_start_that_kills_every_worker_is_found(tmp_path):
 def test_a_full_disk_is_an_error_and_leaves_what_is_there(tmp_path, monkeypatch):
     study = small_study()
     run_study(study, tmp_path / "whole", workers=1)
-    write = store._write
+    write = result_files._write
 
     def full(path, content):
         if path.name == "part-00002.parquet":
             raise OSError(errno.ENOSPC, "can't be written: No space left on device", str(path))
         write(path, content)
 
-    monkeypatch.setattr(store, "_write", full)
+    monkeypatch.setattr(result_files, "_write", full)
     with pytest.raises(OSError, match="No space left on device"):
         run_study(study, tmp_path / "full", workers=1)
     monkeypatch.undo()

@@ -15,7 +15,7 @@ from rich.table import Table
 from covey import views
 from covey.cli.shared.outputs import check_folder, save_picture, write_csv
 from covey.model.validation import whole_number
-from covey.studies.analysis.yardstick import SPEEDS, Change, Score, Yardstick, measure
+from covey.studies.analysis.yardstick import SPEEDS, Change, YardstickRow, Yardstick, measure
 
 
 def yardstick(
@@ -64,7 +64,7 @@ def _print(measured: list[Yardstick]) -> None:
         table.add_column(head, justify="right", no_wrap=True)
     for game in measured:
         changes = {change.pairs: change for change in game.changes}
-        for (speeds, pairs, evaders), shares in _shares(game.scores).items():
+        for (speeds, pairs, evaders), shares in _shares(game.rows).items():
             known = f"{100 * changes[pairs].mean:.1g} %"
             figures = (np.mean(shares), np.min(shares), np.max(shares))
             table.add_row(speeds, pairs, evaders, *(f"{each:.4f}" for each in figures), known)
@@ -75,23 +75,23 @@ def _print(measured: list[Yardstick]) -> None:
 
 def _save(measured: list[Yardstick], folder: Path) -> None:
     """Save every game, the changes from grid to grid, and the picture."""
-    scores = [score for each in measured for score in each.scores]
-    write_csv(folder / "yardstick.csv", Score._fields, scores)
+    rows = [row for each in measured for row in each.rows]
+    write_csv(folder / "yardstick.csv", YardstickRow._fields, rows)
     changes = [change for each in measured for change in each.changes]
     write_csv(folder / "convergence.csv", Change._fields, changes)
     panels: dict[str, dict[str, dict[str, views.Closeness]]] = {}
-    for (speeds, pairs, evaders), shares in _shares(scores).items():
+    for (speeds, pairs, evaders), shares in _shares(rows).items():
         found = views.Closeness(float(np.mean(shares)), float(np.min(shares)))
         panels.setdefault(f"{pairs} pairs", {}).setdefault(evaders, {})[speeds] = found
     save_picture(views.draw_closeness(panels), folder, "yardstick")
 
 
-def _shares(scores: list[Score]) -> dict[tuple[str, str, str], list[float]]:
+def _shares(rows: list[YardstickRow]) -> dict[tuple[str, str, str], list[float]]:
     """Return survival times over the value, by speeds, kind of pairs and strategy."""
     shares: dict[tuple[str, str, str], list[float]] = {}
-    for score in scores:
-        case = _speeds(score.speed_1, score.speed_2), score.pairs, score.evaders
-        shares.setdefault(case, []).append(score.survival_time / score.value)
+    for row in rows:
+        case = _speeds(row.speed_1, row.speed_2), row.pairs, row.evaders
+        shares.setdefault(case, []).append(row.survival_time / row.value)
     return shares
 
 

@@ -12,7 +12,7 @@ import covey
 from covey import views
 from covey.cli.shared.outputs import check_output, print_saved
 from covey.studies.analysis.comparison import comparison
-from covey.studies.analysis.scores import Comparison, Score
+from covey.studies.analysis.paired_ratios import Comparison, PairedRatio
 
 _WIDEST = 36
 """Letters of a row's name in one line."""
@@ -20,11 +20,11 @@ _WIDEST = 36
 
 def print_comparison(console: Console, compared: Comparison) -> None:
     """Print the means over the team sizes, relative to the first row of each group."""
-    overall = [score for score in compared.scores if score.team_size is None]
+    overall = [score for score in compared.ratios if score.team_size is None]
     for group in dict.fromkeys(score.group for score in overall):
         chosen = [score for score in overall if score.group == group]
         console.print(_table(group, compared.rows, chosen))
-    sizes = dict.fromkeys(str(score.team_size) for score in compared.scores if score.team_size)
+    sizes = dict.fromkeys(str(score.team_size) for score in compared.ratios if score.team_size)
     console.print(
         f"{compared.label[0].upper()}{compared.label[1:]}, from the same {overall[0].played} "
         f"starts, ± 95 % confidence; mean over teams of {', '.join(sizes)}."
@@ -33,7 +33,7 @@ def print_comparison(console: Console, compared: Comparison) -> None:
         console.print("* Without the starts of which a game was stopped with evaders alive.")
 
 
-def _table(title: str, rows: str, chosen: list[Score]) -> Table:
+def _table(title: str, rows: str, chosen: list[PairedRatio]) -> Table:
     columns = list(dict.fromkeys(score.column for score in chosen))
     cells = {(score.row, score.column): _cell(score) for score in chosen}
     table = Table(
@@ -47,7 +47,7 @@ def _table(title: str, rows: str, chosen: list[Score]) -> Table:
     return table
 
 
-def _cell(score: Score) -> str:
+def _cell(score: PairedRatio) -> str:
     value, error = score.relative
     text = f"{value:.3f}" if error == 0.0 else f"{value:.3f} ±{error:.3f}".replace("±0", "±")
     return text + ("*" if score.starts < score.played else "")
@@ -66,7 +66,7 @@ def draw_comparison(folder: Path, output: Path) -> None:
         )
     ratios = [
         views.Ratio(each.group, each.column, each.row, each.team_size, *each.relative)
-        for each in compared.scores
+        for each in compared.ratios
         if each.team_size is not None and each.row != compared.base and each.starts > 1
     ]
     if not ratios:

@@ -19,7 +19,7 @@ from rich.table import Table
 
 from covey.cli.shared.outputs import print_saved
 from covey.cli.show.comparison import print_comparison
-from covey.studies import Line, Study, StudyResult, run_study, summary
+from covey.studies import CaseSummary, Study, StudyResult, run_study, summary
 from covey.studies.analysis.comparison import comparison
 from covey.studies.statistics import Estimate
 
@@ -92,7 +92,7 @@ def _print_cases(console: Console, result: StudyResult) -> None:
     )
 
 
-def _row(line: Line) -> list[str]:
+def _row(line: CaseSummary) -> list[str]:
     return [
         *(f"{v:.4g}" if isinstance(v, float) else str(v) for v in line.settings.values()),
         f"{line.guarantee:.4f}",

@@ -1,1 +1,5 @@
-"""What the games of a study say."""
+"""Means and ratios of the games of a study, and the yardstick for games of two evaders.
+
+Read in this order: `summary`, `paired_ratios`, `tournament`, `objectives`, `comparison`,
+`yardstick`.
+"""

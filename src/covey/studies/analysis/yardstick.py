@@ -1,7 +1,8 @@
-"""How close strategies come to the true value of the game, where it is known: two evaders.
+"""How close strategies of two evaders come to the true value of their game, which is known.
 
-Pairs of evaders with simple motion, point capture, a pursuer that is seen; after J. V. Breakwell
-and P. Hagedorn, "Point capture of two evaders in succession", J. Optim. Theory Appl. 27 (1979).
+The evaders turn at once and see the pursuer; the capture radius is 0. The value is after
+J. V. Breakwell and P. Hagedorn, "Point capture of two evaders in succession", J. Optim. Theory
+Appl. 27 (1979).
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, fields
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -23,15 +25,15 @@ from covey.simulation import PursuerStrategy
 
 SPEEDS = ((0.25, 0.25), (0.5, 0.5), (0.25, 0.5), (0.5, 0.7))
 RANDOM, CLOSE = "random", "close"
-_FARTHEST_APART = 0.2
-"""Of close pairs, relative to the first one's distance from the pursuer."""
+_MAX_SEPARATION = 0.2
+"""Of a close pair, relative to the first evader's distance from the pursuer."""
 
 _UPDATES = 200
-"""In the time that the value is: far more than a policy of two needs."""
+"""Updates in a time as long as the value. A team of two needs far fewer."""
 
 
-class Score(NamedTuple):
-    """What a strategy of the evaders made of one start. Times are at pursuer speed 1."""
+class YardstickRow(NamedTuple):
+    """The result of one strategy of the evaders from one start. Times are at pursuer speed 1."""
 
     speed_1: float
     speed_2: float
@@ -46,11 +48,11 @@ class Score(NamedTuple):
     upper: float
     evaders: str
     survival_time: float  # the least against four pursuers
-    pursuer: str  # that one of them
+    pursuer: str  # the one of them that was fastest
 
 
 class Change(NamedTuple):
-    """By how much, relative, values moved from a grid of half as many cells to this one."""
+    """Relative change of the value from a grid of half as many cells to this grid."""
 
     speed_1: float
     speed_2: float
@@ -61,9 +63,9 @@ class Change(NamedTuple):
 
 
 class Yardstick(NamedTuple):
-    """Scores of all strategies and the changes of the value, for one couple of speeds."""
+    """Rows of all strategies and changes of the value, at one couple of speeds."""
 
-    scores: list[Score]
+    rows: list[YardstickRow]
     changes: list[Change]
 
 
@@ -84,103 +86,89 @@ def measure(
     seed: int = 0,
     evaders: Mapping[str, Any] | None = None,
 ) -> Yardstick:
-    """Play strategies against the true value of the game of two evaders.
+    """Play strategies, and compare their survival times with the value of the game.
 
     Parameters
     ----------
     speeds
-        Of the two, relative to the pursuer's.
+        Of the two evaders, relative to the pursuer's.
     pairs
-        Starts of each kind: uniform in a unit square around the pursuer, and close to each other,
-        at most a fifth of their distance from it apart.
+        Starts of each kind, at least 1. Random pairs are uniform in a unit square around the
+        pursuer. Close pairs are at most a fifth of their distance from the pursuer apart.
     cells
-        Of the grid of the value, see `covey.planning.solve_two_evaders`; those of a half and of a
-        quarter are computed too.
+        Of the finest grid of the value, see `covey.bounds.solve_two_evaders`. Grids of a half and
+        of a quarter of them are solved too.
     seed
         Of the starts and of the strategies.
     evaders
-        Strategies by their names; by default all that come with covey and need no parameter.
+        Strategies by their names; by default `default_evaders`.
 
     Returns
     -------
     Yardstick
         The survival time of a strategy is the least against four pursuers: downhill on the value,
-        the committed one, and the two that keep to an order.
+        the committed one, and the two fixed orders of capture.
     """
     whole_number("pairs", pairs, low=1)
-    starts = {kind: _starts(kind, pairs, seed) for kind in (RANDOM, CLOSE)}
+    strategies = default_evaders() if evaders is None else evaders
+    starts = {kind: _draw_pairs(kind, pairs, seed) for kind in (RANDOM, CLOSE)}
     values = [solve_two_evaders(speeds, cells=cells // share) for share in (4, 2, 1)]
-    changes = [
-        _change(speeds, kind, coarse, fine, places)
-        for kind, places in starts.items()
-        for coarse, fine in ((values[0], values[1]), (values[1], values[2]))
-    ]
-    chosen = default_evaders() if evaders is None else evaders
-    scores = [
-        score
-        for kind, places in starts.items()
-        for pair, place in enumerate(places)
-        for score in _scores(values[-1], kind, pair, place, chosen, seed)
-    ]
-    return Yardstick(scores, changes)
+    return Yardstick(
+        [
+            row
+            for kind, positions in starts.items()
+            for pair, each in enumerate(positions)
+            for row in _rows(values[-1], (kind, pair), each, strategies, seed)
+        ],
+        [
+            _change(kind, positions, coarse, fine)
+            for kind, positions in starts.items()
+            for coarse, fine in pairwise(values)
+        ],
+    )
 
 
-def _starts(kind: str, pairs: int, seed: int) -> Floats:
-    """Return places (pairs, 2, 2) of the evaders, the pursuer in the origin."""
+def _draw_pairs(kind: str, pairs: int, seed: int) -> Floats:
+    """Return positions (pairs, 2, 2) of the evaders; the pursuer is in the origin."""
     generator = np.random.default_rng((seed, kind == CLOSE))
-    places = generator.uniform(-0.5, 0.5, (pairs, 2, 2))
+    positions = generator.uniform(-0.5, 0.5, (pairs, 2, 2))
     if kind == CLOSE:
-        away = generator.uniform(0.0, _FARTHEST_APART, pairs) * np.hypot(*places[:, 0].T)
-        bearing = generator.uniform(-math.pi, math.pi, pairs)
-        off = away[:, np.newaxis] * unit_vectors(bearing)
-        places[:, 1] = places[:, 0] + off
-    return places
+        ranges = np.hypot(*positions[:, 0].T)
+        distances = generator.uniform(0.0, _MAX_SEPARATION, pairs) * ranges
+        bearings = generator.uniform(-math.pi, math.pi, pairs)
+        units = unit_vectors(bearings)
+        positions[:, 1] = positions[:, 0] + distances[:, np.newaxis] * units
+    return positions
 
 
-def _change(
-    speeds: tuple[float, float],
-    kind: str,
-    coarse: TwoEvaderValue,
-    fine: TwoEvaderValue,
-    places: Floats,
-) -> Change:
-    moved = np.abs(coarse.at(places) / fine.at(places) - 1.0)
-    return Change(*speeds, kind, len(fine.shares) - 1, float(moved.mean()), float(moved.max()))
+def _change(kind: str, positions: Floats, coarse: TwoEvaderValue, fine: TwoEvaderValue) -> Change:
+    moved = np.abs(coarse.at(positions) / fine.at(positions) - 1.0)
+    (v1, v2), cells = fine.speeds.tolist(), len(fine.shares) - 1
+    return Change(v1, v2, kind, cells, float(moved.mean()), float(moved.max()))
 
 
-def _scores(
+def _rows(
     value: TwoEvaderValue,
-    kind: str,
-    pair: int,
-    places: Floats,
+    start: tuple[str, int],
+    positions: Floats,
     evaders: Mapping[str, Any],
     seed: int,
-) -> Iterator[Score]:
-    team = Team(places, np.zeros(2), value.speeds, math.inf)
-    disk = PursuerDisk()
+) -> Iterator[YardstickRow]:
+    team, disk = Team(positions, np.zeros(2), value.speeds, math.inf), PursuerDisk()
     true, bounds = value.of(team, disk), bracket(team, disk, seed=seed)
-    (v1, v2), (x1, y1, x2, y2) = value.speeds.tolist(), places.ravel().tolist()
+    (v1, v2), (x1, y1, x2, y2) = value.speeds.tolist(), positions.ravel().tolist()
+    known = (v1, v2, *start, x1, y1, x2, y2, true, bounds.lower, bounds.upper)
     pursuers: dict[str, PursuerStrategy] = {
         "downhill": DownhillPursuer(value),
         "committed": CommittedPursuer(),
         "0 first": FixedSequence((0, 1)),
         "1 first": FixedSequence((1, 0)),
     }
+    settings: dict[str, Any] = {"sensing": "visible", "update_time": true / _UPDATES, "seed": seed}
     for name, strategy in evaders.items():
         times = {
-            who: survival(
-                team,
-                disk,
-                evaders=strategy,
-                pursuer=pursuer,
-                sensing="visible",
-                update_time=true / _UPDATES,
-                seed=seed,
-            ).survival_time
-            for who, pursuer in pursuers.items()
+            word: survival(team, disk, evaders=strategy, pursuer=each, **settings).survival_time
+            for word, each in pursuers.items()
         }
-        worst = min(times, key=lambda who: times[who])
-        lower, upper = bounds.lower, bounds.upper
-        yield Score(
-            v1, v2, kind, pair, x1, y1, x2, y2, true, lower, upper, name, times[worst], worst
-        )
+        fastest = min(times, key=lambda word: times[word])
+        yield YardstickRow(*known, name, times[fastest], fastest)

@@ -1,1 +1,4 @@
-"""The paper's Figs. 3 to 5 as numbers, and what it claims about them."""
+"""The paper's Figs. 4 and 5 as numbers, and a report that compares them with its claims.
+
+Read in this order: `figures`, `claims`, `report`.
+"""

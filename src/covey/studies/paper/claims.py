@@ -1,4 +1,4 @@
-"""What the paper says in its section V, what came out here, and whether the two agree."""
+"""The claims of the paper's section V, and whether the figures of the studies support them."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from covey.studies.paper.figures import HIDDEN, VISIBLE, Gains
 from covey.studies.statistics import Z95
 
 AT_ONE = 0.005
-"""Half width of the histogram's bin at 1: a ratio within it counts as 1."""
+"""Half width of the histogram's bin at 1. A ratio in this bin counts as 1."""
 
 _PAPER_AT_ONE = 200 / 500
 _LOWEST = 0.9
 
 
 class Claim(NamedTuple):
-    """A sentence of the paper, our figures, and whether they bear it out."""
+    """A statement of the paper, our figures, and whether they support it."""
 
     paper: str
     ours: str
@@ -32,7 +32,7 @@ HOLDS, PARTLY, DIFFERS = "holds", "holds in part", "differs"
 
 
 def fig4_claims(ratios: Mapping[int, Floats]) -> Iterator[Claim]:
-    """Compare the ratios hidden over visible of teams of 3 and 5."""
+    """Compare the paper's claims about Fig. 4 with the ratios of teams of 3 and 5."""
     three, five = ratios[3], ratios[5]
     at_one = {size: int((np.abs(values - 1.0) < AT_ONE).sum()) for size, values in ratios.items()}
     yield Claim(
@@ -40,17 +40,7 @@ def fig4_claims(ratios: Mapping[int, Floats]) -> Iterator[Claim]:
         f"{at_one[3]} of {len(three)} within {AT_ONE} of 1, {_exactly(three)} within 0.000 001.",
         HOLDS if at_one[3] > len(three) / 2 else DIFFERS,
     )
-    share, error = _share(at_one[5], len(five))
-    wider = int((np.abs(five - 1.0) < 2.0 * AT_ONE).sum())
-    agrees = abs(share - _PAPER_AT_ONE) <= error
-    bracketed = at_one[5] <= _PAPER_AT_ONE * len(five) <= wider
-    yield Claim(
-        "Five evaders have a ratio of 1 in 200 of 500 starts (40 %).",
-        f"{at_one[5]} of {len(five)} ({100 * share:.0f} ± {100 * error:.0f} %) within {AT_ONE} "
-        f"of 1, {wider} within {2.0 * AT_ONE}, {_exactly(five)} within 0.000 001. The paper "
-        "doesn't say how near to 1 counts.",
-        HOLDS if agrees else PARTLY if bracketed else DIFFERS,
-    )
+    yield _five_at_one(five, at_one[5])
     low = np.sort(five[five <= _LOWEST])
     others = f"; the {len(low)} others: {', '.join(f'{q:.3f}' for q in low)}" if len(low) else ""
     yield Claim(
@@ -75,8 +65,23 @@ def fig4_claims(ratios: Mapping[int, Floats]) -> Iterator[Claim]:
     )
 
 
+def _five_at_one(five: Floats, at_one: int) -> Claim:
+    share = at_one / len(five)
+    error = Z95 * math.sqrt(share * (1.0 - share) / len(five))  # half width of the 95 % interval
+    wider = int((np.abs(five - 1.0) < 2.0 * AT_ONE).sum())
+    agrees = abs(share - _PAPER_AT_ONE) <= error
+    bracketed = at_one <= _PAPER_AT_ONE * len(five) <= wider
+    return Claim(
+        "Five evaders have a ratio of 1 in 200 of 500 starts (40 %).",
+        f"{at_one} of {len(five)} ({100 * share:.0f} ± {100 * error:.0f} %) within {AT_ONE} "
+        f"of 1, {wider} within {2.0 * AT_ONE}, {_exactly(five)} within 0.000 001. The paper "
+        "doesn't say how near to 1 counts.",
+        HOLDS if agrees else PARTLY if bracketed else DIFFERS,
+    )
+
+
 def fig5_claims(gains: Mapping[str, Gains]) -> Iterator[Claim]:
-    """Compare the growth of the survival time with the turning rate."""
+    """Compare the paper's claims about Fig. 5 with mean survival times by turning rate."""
     steps = [step for word in gains for step in _steps(gains[word])]
     yield Claim(
         "The survival time increases with the turning rate.",
@@ -112,12 +117,6 @@ def fig5_claims(gains: Mapping[str, Gains]) -> Iterator[Claim]:
 
 def _exactly(values: Floats) -> int:
     return int((np.abs(values - 1.0) < 1e-6).sum())
-
-
-def _share(count: int, total: int) -> tuple[float, float]:
-    """A share, and the half width of its 95 % interval."""
-    share = count / total
-    return share, Z95 * math.sqrt(share * (1.0 - share) / total)
 
 
 def _steps(gains: Gains) -> Iterator[float]:

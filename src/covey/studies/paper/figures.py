@@ -14,62 +14,55 @@ HIDDEN, VISIBLE = "hidden", "visible"
 
 
 class Gains(NamedTuple):
-    """Means over the mean at the lowest turning rate, for one sensing."""
+    """Mean survival times by turning rate, for one sensing."""
 
-    turn_rates: list[float]
-    ratios: dict[int, list[Estimate]]  # by team size
-    survival: dict[int, list[Estimate]]  # the means themselves
+    turn_rates: list[float]  # ascending
+    ratios: dict[int, list[Estimate]]  # by team size: means over the mean at the lowest rate
+    survival: dict[int, list[Estimate]]  # by team size: the means themselves
 
 
 def survival_ratios(result: StudyResult) -> dict[int, Floats]:
     """Return, for each team size, the ratio hidden over visible of every start (Fig. 4).
 
-    Starts of which a game didn't end are left out.
+    Starts of which a game was stopped are left out.
     """
-    sizes: list[int] = result.study["grid"]["team_size"]
-    sensing: list[str] = result.study["grid"]["sensing"]
-    times = np.concatenate(
-        [part["survival_time"].to_numpy().reshape(-1, len(sizes), 2) for part in result.parts()]
-    )
-    hidden, visible = sensing.index(HIDDEN), sensing.index(VISIBLE)
-    ratios = {}
-    for k, size in enumerate(sizes):
-        ended = np.isfinite(times[:, k]).all(axis=1)
-        ratios[size] = times[ended, k, hidden] / times[ended, k, visible]
+    times, ratios = _by_case(result, "survival_time"), {}
+    for size in result.study["grid"]["team_size"]:
+        hidden, visible = (
+            times[:, result.case_number(team_size=size, sensing=word)] for word in (HIDDEN, VISIBLE)
+        )
+        ended = np.isfinite(hidden) & np.isfinite(visible)
+        ratios[size] = hidden[ended] / visible[ended]
     return ratios
 
 
 def guarantee_ratios(result: StudyResult) -> dict[int, Floats]:
     """Return, for each team size, visible survival over the guarantee of the first plan."""
-    sizes: list[int] = result.study["grid"]["team_size"]
-    visible = result.study["grid"]["sensing"].index(VISIBLE)
-    times, guarantees = (
-        np.concatenate(
-            [part[name].to_numpy().reshape(-1, len(sizes), 2)[:, :, visible] for part in parts]
-        )
-        for name in ("survival_time", "guarantee")
-        for parts in [list(result.parts())]
-    )
-    return {size: times[:, k] / guarantees[:, k] for k, size in enumerate(sizes)}
+    ratios = _by_case(result, "survival_time") / _by_case(result, "guarantee")
+    return {
+        size: ratios[:, result.case_number(team_size=size, sensing=VISIBLE)]
+        for size in result.study["grid"]["team_size"]
+    }
 
 
 def turn_rate_gains(result: StudyResult) -> dict[str, Gains]:
-    """Return, for each sensing, what turning rates bring to each team size (Fig. 5)."""
-    grid, moments = result.study["grid"], result.moments
-    sizes, rates, sensing = grid["team_size"], grid["turn_rate"], grid["sensing"]
+    """Return, for each sensing, the mean survival times by turning rate and team size (Fig. 5)."""
+    grid = result.study["grid"]
+    return {word: _gains(result, word, sorted(grid["turn_rate"])) for word in grid["sensing"]}
 
-    def case(i: int, j: int, k: int) -> int:
-        return (i * len(rates) + j) * len(sensing) + k
 
-    order = [int(j) for j in np.argsort(rates)]
-    return {
-        word: Gains(
-            [rates[j] for j in order],
-            {
-                size: [moments.ratio(case(i, j, k), case(i, order[0], k)) for j in order]
-                for i, size in enumerate(sizes)
-            },
-            {size: [moments.average(case(i, j, k)) for j in order] for i, size in enumerate(sizes)},
-        )
-        for k, word in enumerate(sensing)
-    }
+def _gains(result: StudyResult, sensing: str, rates: list[float]) -> Gains:
+    moments, ratios, means = result.moments, {}, {}
+    for size in result.study["grid"]["team_size"]:
+        cases = [
+            result.case_number(team_size=size, turn_rate=rate, sensing=sensing) for rate in rates
+        ]
+        ratios[size] = [moments.ratio(case, cases[0]) for case in cases]
+        means[size] = [moments.average(case) for case in cases]
+    return Gains(rates, ratios, means)
+
+
+def _by_case(result: StudyResult, column: str) -> Floats:
+    """Return a column of the table of games, (starts, cases)."""
+    parts = [part[column].to_numpy() for part in result.parts()]
+    return np.concatenate(parts).reshape(-1, len(result.cases))

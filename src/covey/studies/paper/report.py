@@ -1,4 +1,4 @@
-"""The report on the paper's section V, in Markdown: its claims, and our figures beside them."""
+"""The report on the paper's section V, in Markdown: the paper's claims beside our figures."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ What the paper leaves open had to be decided, and some of it moves the figures.
 
 
 def report(game: Game, fig4: StudyResult, fig5: StudyResult) -> str:
-    """Return the report; the pictures fig3.svg to fig5.svg are expected beside it."""
+    """Return the report. It shows fig3.svg, fig4.svg and fig5.svg from its own folder."""
     ratios, gains = survival_ratios(fig4), turn_rate_gains(fig5)
     sections = [
         _head(fig4, fig5),

@@ -1,1 +1,5 @@
-"""Playing the games of a study: chunks, executors, tables, resuming."""
+"""Plays the games of a study and stores them, so that a run can be stopped and resumed.
+
+Read in this order: `run`, `chunks`, `scheduler`, `executors`, `worker`, `games`, `tables`,
+`result_files`, `lock`, `manifest`, `provenance`, `results`.
+"""

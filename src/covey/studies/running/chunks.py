@@ -1,4 +1,4 @@
-"""How a study is cut into chunks: consecutive starts, each chunk one file, whole or not at all."""
+"""How a study is cut into chunks of consecutive starts. Each chunk becomes one file."""
 
 from __future__ import annotations
 
@@ -6,14 +6,16 @@ from dataclasses import dataclass
 
 from covey.studies.design.study import Study
 
-_MOST_GAMES, _LEAST_GAMES = 1000, 64
-_MOST_RECORDS = 100  # of whole games, each some 100 kB, that a worker holds
+_MAX_GAMES, _MIN_GAMES = 1000, 64
+_MAX_RECORDS = 100
+"""Whole games that a worker holds when trajectories are stored; each takes some 100 kB."""
+
 _CHUNKS = 64
 
 
 @dataclass(frozen=True)
 class Chunk:
-    """The starts from `first` up to `last`."""
+    """The starts from `first` up to, but without, `last`."""
 
     number: int
     first: int
@@ -21,13 +23,13 @@ class Chunk:
 
 
 def starts_per_chunk(study: Study) -> int:
-    """Return how many starts make a chunk; it depends on the study alone, never on the workers.
+    """Return how many starts make a chunk. The number depends on the study, never on the workers.
 
     A small study is cut into some 64 chunks, so that many workers have work until the end. Fewer
-    games than 64 would not be worth a file, and more than 1000 too much to lose.
+    than 64 games are not worth a file. More than 1000 games are too much to lose.
     """
-    most = _MOST_RECORDS if study.trajectories else _MOST_GAMES
-    games = min(max(study.games // _CHUNKS, _LEAST_GAMES), most)
+    most = _MAX_RECORDS if study.trajectories else _MAX_GAMES
+    games = min(max(study.games // _CHUNKS, _MIN_GAMES), most)
     return max(1, games // len(study.cases))
 
 

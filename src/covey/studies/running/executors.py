@@ -1,173 +1,150 @@
-"""Who plays: this process, a pool of processes on this machine, or a Dask cluster."""
+"""Executors of chunks: this process, a pool of processes on this machine, or a Dask cluster."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from concurrent.futures import BrokenExecutor, Executor, Future
+from concurrent import futures
+from concurrent.futures import BrokenExecutor, Future
 from contextlib import contextmanager
-from typing import Any, Protocol
+from typing import Any
 
 from covey.model import InputError
 from covey.model.validation import whole_number
 from covey.studies.running.games import load_kernels
 
 _IDLE_SECONDS = 120
-"""A process of the pool that has had no work for this long ends; until then the next study finds
-its kernels loaded."""
+"""After so long without work a process of the pool ends. A study that is run before that finds
+processes that have loaded the kernels."""
 
 _CLUSTER_SECONDS = 30
 
 
-class Crew(Protocol):
-    """Workers that take chunks."""
+class Executor:
+    """Runs functions on workers."""
+
+    _pool: futures.Executor
 
     @property
     def size(self) -> int:
-        """How many chunks are played at a time."""
-        ...
+        """How many functions run at a time."""
+        return 1
 
     def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
-        """Give work to a worker."""
-        ...
+        """Schedule a call. On a broken pool the future fails, as if the pool broke later."""
+        try:
+            return self._pool.submit(function, *arguments)
+        except BrokenExecutor as error:
+            return _failed(error)
 
-    def renew(self) -> None:
+    def restart(self) -> None:
         """Replace workers that have died."""
-        ...
 
-    def dismiss(self) -> None:
-        """Drop all work that has not been done."""
-        ...
+    def cancel(self) -> None:
+        """Drop all calls that have not returned."""
 
-    def leave(self) -> None:
-        """Go when all work has been done."""
-        ...
+    def close(self) -> None:
+        """Release the workers after the last call has returned."""
 
 
-@contextmanager
-def hired(workers: int | None, dask: str | None) -> Iterator[Crew]:
-    """Return the crew; whatever happens, no work of it goes on afterwards."""
-    crew = _crew(workers, dask)
-    try:
-        yield crew
-    except BaseException:
-        crew.dismiss()
-        raise
-    crew.leave()
-
-
-def _crew(workers: int | None, dask: str | None) -> Crew:
-    if dask is not None:
-        if workers is not None:
-            raise InputError("workers: expected nothing beside dask, which has its own workers")
-        return Cluster(dask)
-    count = cores() if workers is None else whole_number("workers", workers, low=1)
-    return Alone() if count == 1 else Pool(count)
-
-
-def cores() -> int:
-    """Return the number of cores that this process may use; a container often has fewer."""
-    from loky import cpu_count
-
-    count: int = cpu_count()
-    return count
-
-
-class Alone:
-    """No other process than the one that leads."""
-
-    size = 1
+class InProcess(Executor):
+    """Calls each function in this process, before `submit` returns."""
 
     def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
-        """Do the work, at once."""
+        """Call the function."""
         future: Future[Any] = Future()
         try:
             future.set_result(function(*arguments))
         except Exception as error:
-            future.set_exception(error)
+            return _failed(error)
         return future
 
-    def renew(self) -> None:
-        """Nothing to do."""
 
-    def dismiss(self) -> None:
-        """Nothing to do."""
-
-    def leave(self) -> None:
-        """Nothing to do."""
-
-
-class Pool:
-    """Processes on this machine, which stay for the next study."""
+class ProcessPool(Executor):
+    """Processes on this machine. They outlive a study, and the next study uses them again."""
 
     def __init__(self, size: int) -> None:
-        self.size = size
-        load_kernels()  # or every process would compile them for itself
-        self.renew()
+        self._size = size
+        load_kernels()  # compiles them once; otherwise every process would
+        self.restart()
 
-    def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
-        """Give work to a worker."""
-        return submitted(self._executor, function, *arguments)
+    @property
+    def size(self) -> int:
+        """The number of processes."""
+        return self._size
 
-    def renew(self) -> None:
-        """Start processes in place of those that have died."""
+    def restart(self) -> None:
+        """Start a new pool if the present one is broken."""
         from loky import get_reusable_executor
 
-        self._executor: Executor = get_reusable_executor(
-            max_workers=self.size, timeout=_IDLE_SECONDS
-        )
+        self._pool = get_reusable_executor(max_workers=self._size, timeout=_IDLE_SECONDS)
 
-    def dismiss(self) -> None:
-        """End the processes."""
-        self._executor.shutdown(wait=False, kill_workers=True)  # type: ignore[call-arg] # loky's
-
-    def leave(self) -> None:
-        """Nothing to do: the processes wait for the next study."""
+    def cancel(self) -> None:
+        """Kill the processes."""
+        self._pool.shutdown(wait=False, kill_workers=True)  # type: ignore[call-arg] # loky's
 
 
-class Cluster:
-    """Workers of a Dask cluster; its scheduler replaces the dead and sends their work anew."""
+class DaskCluster(Executor):
+    """Workers of a Dask cluster. Dask itself replaces dead workers and repeats their calls."""
 
     def __init__(self, address: str) -> None:
         try:
             import distributed
         except ImportError as error:
             raise InputError("dask: not installed; install covey[dask]") from error
-        library: Any = distributed  # some of it has types, and some has none
+        library: Any = distributed  # only partly typed
         try:
             self._client = library.Client(address, timeout=_CLUSTER_SECONDS, set_as_default=False)
             self._client.wait_for_workers(1, timeout=_CLUSTER_SECONDS)
         except (OSError, TimeoutError, ValueError) as error:
             raise InputError(f"dask: no cluster with workers answers at {address}") from error
-        self._executor: Executor = self._client.get_executor(pure=False)
+        self._pool = self._client.get_executor(pure=False)
 
     @property
     def size(self) -> int:
-        """Threads of all workers; they may come and go."""
+        """Threads of all workers at this moment."""
         threads: int = sum(self._client.nthreads().values())
         return max(1, threads)
 
-    def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
-        """Give work to a worker."""
-        return submitted(self._executor, function, *arguments)
+    def cancel(self) -> None:
+        """Disconnect. The cluster then drops the calls that have not begun."""
+        self.close()
 
-    def renew(self) -> None:
-        """Nothing to do: the scheduler has done it."""
-
-    def dismiss(self) -> None:
-        """Leave the cluster to others, and with it all work that it hasn't begun."""
-        self.leave()
-
-    def leave(self) -> None:
-        """Leave the cluster to others."""
-        self._executor.shutdown(wait=False)
+    def close(self) -> None:
+        """Disconnect. The cluster goes on."""
+        self._pool.shutdown(wait=False)
         self._client.close()
 
 
-def submitted(executor: Executor, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
-    """Submit work; a pool that is found broken answers like one that breaks later."""
+@contextmanager
+def open_executor(workers: int | None, dask: str | None) -> Iterator[Executor]:
+    """Return an executor that is closed at the end, or cancelled on an exception."""
+    executor = _executor(workers, dask)
     try:
-        return executor.submit(function, *arguments)
-    except BrokenExecutor as error:
-        future: Future[Any] = Future()
-        future.set_exception(error)
-        return future
+        yield executor
+    except BaseException:
+        executor.cancel()
+        raise
+    executor.close()
+
+
+def _executor(workers: int | None, dask: str | None) -> Executor:
+    if dask is not None:
+        if workers is not None:
+            raise InputError("workers: expected nothing beside dask, which has its own workers")
+        return DaskCluster(dask)
+    count = cores() if workers is None else whole_number("workers", workers, low=1)
+    return InProcess() if count == 1 else ProcessPool(count)
+
+
+def cores() -> int:
+    """Return the number of cores that this process may use. In a container they may be few."""
+    from loky import cpu_count
+
+    count: int = cpu_count()
+    return count
+
+
+def _failed(error: Exception) -> Future[Any]:
+    future: Future[Any] = Future()
+    future.set_exception(error)
+    return future

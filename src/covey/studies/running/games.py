@@ -1,4 +1,4 @@
-"""Play the games of one start, in all cases: what every worker does, on any machine."""
+"""Plays the games of one start in all cases of a study."""
 
 from __future__ import annotations
 
@@ -13,30 +13,30 @@ from covey.studies.design.study import Case, Start, Study, game_of
 
 
 class StudyGame(NamedTuple):
-    """A game that was played."""
+    """A game that was played, as a study counts it."""
 
     number: int
     case: int
     start: int
     origin: Start
     outcome: Outcome
-    record: Game | None  # kept on request
+    record: Game | None  # None unless the study stores trajectories
 
 
 class GameError(Exception):
-    """A game that couldn't be played: its number in the study, its seed, what happened."""
+    """A game that couldn't be played: its number in the study, its seed, the error's text."""
 
     def __init__(self, number: int, seed: int, message: str) -> None:
-        super().__init__(number, seed, message)  # all of it, or it couldn't come back from a worker
+        super().__init__(number, seed, message)  # all arguments: pickle needs them
         self.number, self.seed, self.message = number, seed, message
 
     def __str__(self) -> str:
-        """Return the line that a person reads."""
+        """Return the line that is shown to the user."""
         return f"game {self.number} (seed {self.seed}): {self.message}"
 
 
 def load_kernels() -> None:
-    """Play a small game, for which all kernels are loaded, and compiled if they never were."""
+    """Play a small game, which loads all kernels, and compiles them if they are not cached."""
     survival(Team([[0.1, 0.0], [0.0, 0.1]], [0.0, 1.0]), PursuerDisk(), update_time=0.1)
 
 
@@ -57,6 +57,10 @@ def play_start(study: Study, number: int) -> Iterator[StudyGame]:
 def _play(
     case: Case, start: Start, visible: dict[tuple[Any, ...], Outcome], recorded: bool
 ) -> tuple[Outcome, Game | None]:
+    """Play a game; `visible` holds the outcomes of visible games of this start, and gets new ones.
+
+    A hidden `AsVisible` pursuer needs the captures of the visible game, which is played once.
+    """
     if not isinstance(case.pursuer, AsVisible):
         return _play_as(case, start, recorded)
     key = _without_sensing(case)
@@ -72,9 +76,10 @@ def _play(
 
 
 def _without_sensing(case: Case) -> tuple[Any, ...]:
-    """Return what a case shares with those that differ from it in sensing only.
+    """Return a key of a case that is equal for cases that differ in sensing only.
 
-    Strategies may not be hashable; they live as long as the study, so who they are will do.
+    Strategies may not be hashable. Their identities stand for them, as they live as long as the
+    study.
     """
     values = case._asdict() | {"evaders": id(case.evaders), "pursuer": id(case.pursuer)}
     del values["sensing"]

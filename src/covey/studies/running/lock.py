@@ -1,4 +1,4 @@
-"""One run at a time in one folder."""
+"""A lock that lets only one run at a time write to a folder."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from covey.model import InputError
 
 @contextmanager
 def locked(folder: Path) -> Iterator[None]:
-    """Keep others out of a folder; the system lets go of the lock when this process dies."""
+    """Lock a folder. The system releases the lock if this process dies."""
     try:
         import fcntl
-    except ImportError:  # Windows: no lock, and no harm as long as nobody runs a study twice
+    except ImportError:  # Windows has no fcntl, so two runs at a time are not noticed there
         yield
         return
     with (folder / ".lock").open("w") as file:

@@ -1,4 +1,4 @@
-"""The manifest of a results folder: which study, played by what, on which machine."""
+"""The manifest of a results folder: the study, the versions of the code, the machine."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _LONGEST_VALUE = 100
 
 
 def manifest_of(study: Study) -> dict[str, Any]:
-    """Return the manifest of a study that is played here and now."""
+    """Return the manifest of a study that is played by this code on this machine."""
     manifest = {
         "format": FORMAT,
         "study": study.describe(),
@@ -30,7 +30,7 @@ def manifest_of(study: Study) -> dict[str, Any]:
         "versions": versions(),
         "machine": machine(),
     }
-    # As it will be read back: a tuple is a list then.
+    # As a reader will get it: JSON turns tuples into lists.
     read: dict[str, Any] = json.loads(json.dumps(manifest))
     return read
 
@@ -42,7 +42,7 @@ def write_manifest(folder: Path, manifest: Mapping[str, Any]) -> None:
 
 
 def read_manifest(folder: Path) -> dict[str, Any] | None:
-    """Return the manifest of a folder, None where there is none."""
+    """Return the manifest of a folder, or None if the folder has none."""
     path = folder / NAME
     try:
         manifest: dict[str, Any] = json.loads(path.read_bytes())
@@ -61,7 +61,7 @@ def read_manifest(folder: Path) -> dict[str, Any] | None:
 
 
 def refuse_differences(folder: Path, before: Mapping[str, Any], now: Mapping[str, Any]) -> None:
-    """Raise InputError unless this run would go on with the very study of the folder."""
+    """Raise InputError unless study and versions are those of the folder."""
     differences = [*_differences(before, now, "study"), *_differences(before, now, "versions")]
     if differences:
         lines = [
@@ -74,9 +74,9 @@ def refuse_differences(folder: Path, before: Mapping[str, Any], now: Mapping[str
 
 def _differences(before: Mapping[str, Any], now: Mapping[str, Any], part: str) -> Iterator[str]:
     old, new = dict(flattened(before[part])), dict(flattened(now[part]))
-    for place in sorted({*old, *new}):
-        if old.get(place) != new.get(place):
-            yield f"{place}: is {_text(old.get(place))} there, and {_text(new.get(place))} now"
+    for key in sorted({*old, *new}):
+        if old.get(key) != new.get(key):
+            yield f"{key}: is {_text(old.get(key))} there, and {_text(new.get(key))} now"
 
 
 def _text(value: object) -> str:

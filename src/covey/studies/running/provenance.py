@@ -1,4 +1,4 @@
-"""By which code, and on what machine, games are played."""
+"""The code and the machine that games are played with."""
 
 from __future__ import annotations
 
@@ -11,38 +11,47 @@ from pathlib import Path
 
 _LIBRARIES = ("numba", "llvmlite", "numpy", "pyarrow")
 _PACKAGE = Path(__file__).parents[2]
-_ROOMS = ("kernels", "model", "planning", "bounds", "simulation", "players", "scenarios", "studies")
+_CODE = (
+    "kernels",
+    "model",
+    "planning",
+    "bounds",
+    "simulation",
+    "players",
+    "scenarios",
+    "studies",
+)
 
 
 @cache
 def code_digest() -> str:
-    """Return a digest of all of covey that a game depends on.
+    """Return a digest of all sources of covey that a game depends on.
 
-    A version number alone would not do: between two releases the code changes, and a study must
-    not be finished by other code than began it.
+    A study must be finished by the code that began it. The version number does not tell, as code
+    changes between two releases.
     """
     return digest_of(_PACKAGE)
 
 
 def digest_of(package: Path) -> str:
-    """Return a digest of the sources, in rooms and their sub-rooms, that a game depends on."""
+    """Return a digest of the sources of a package in all folders that a game depends on."""
     digest = hashlib.sha256()
-    for room in _ROOMS:
-        for source in sorted((package / room).rglob("*.py")):
+    for folder in _CODE:
+        for source in sorted((package / folder).rglob("*.py")):
             digest.update(source.relative_to(package).as_posix().encode())
             digest.update(source.read_bytes())
     return digest.hexdigest()
 
 
 def versions() -> dict[str, str]:
-    """Return the versions of all that may change a digit of a result, or a byte of a file."""
+    """Return the versions of everything that may change a number or a byte of the tables."""
     found = {"python": platform.python_version(), "covey": version("covey")}
     found |= {name: version(name) for name in _LIBRARIES}
     return {**found, "covey_code": code_digest()}
 
 
 def machine() -> dict[str, object]:
-    """Return what kind of machine this is, and nothing about whose."""
+    """Return the kind of this machine, without anything that identifies its owner."""
     return {
         "system": platform.system(),
         "architecture": platform.machine(),
@@ -52,7 +61,7 @@ def machine() -> dict[str, object]:
 
 
 def _processor() -> str:
-    """Name of the processor, where the system tells it."""
+    """Name of the processor; may be empty."""
     try:
         lines = Path("/proc/cpuinfo").read_text().splitlines()
     except OSError:

@@ -1,17 +1,19 @@
-"""Read a study back."""
+"""The results of a study, read from their folder."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from covey.model import InputError, LastCapture
-from covey.studies.running import folder as store
+from covey.studies.design.study import GRID
 from covey.studies.running.manifest import NAME, read_manifest
-from covey.studies.running.tables import MOMENTS, decoded
+from covey.studies.running.result_files import part_files
+from covey.studies.running.tables import TRAJECTORIES, decoded
 from covey.studies.statistics import Moments, moments_of
 
 if TYPE_CHECKING:
@@ -19,18 +21,18 @@ if TYPE_CHECKING:
 
 
 class StudyResult:
-    """The games of a study, as far as they have been played.
+    """The games of a study that have been played so far.
 
     Attributes
     ----------
     folder : pathlib.Path
-        Where they are. `games/` in it is a Parquet data set that any reader of Parquet opens.
+        Folder of the results. Its `games/` is a Parquet data set that any reader of Parquet opens.
     manifest : dict
         Study, seed, versions, machine.
     study : dict
-        The study, as a study file gives it.
+        The study with the keys and values of a study file.
     failures : tuple of str
-        Which games of the last run could not be played, and why.
+        A line for each chunk that could not be played in the last run.
     """
 
     def __init__(
@@ -40,20 +42,50 @@ class StudyResult:
 
     @property
     def study(self) -> dict[str, Any]:
-        """The study, as a study file gives it."""
+        """The study with the keys and values of a study file."""
         described: dict[str, Any] = self.manifest["study"]
-        described["grid"].setdefault("objective", [LastCapture().describe()])  # once the only one
+        # Early versions of covey knew the last capture only, and did not write it down.
+        described["grid"].setdefault("objective", [LastCapture().describe()])
         return described
 
     @property
+    def cases(self) -> list[dict[str, Any]]:
+        """The combinations of the grid by their numbers, the last field fastest."""
+        values = (self.study["grid"][name] for name in GRID)
+        return [dict(zip(GRID, combination, strict=True)) for combination in product(*values)]
+
+    def case_number(self, **fields: Any) -> int:
+        """Return the number of the only case with these fields.
+
+        Parameters
+        ----------
+        fields
+            Values as in `study["grid"]`: `team_size=3, sensing="hidden"`.
+
+        Raises
+        ------
+        InputError
+            If no case, or more than one, has these fields.
+        """
+        found = [
+            number
+            for number, case in enumerate(self.cases)
+            if all(case[name] == value for name, value in fields.items())
+        ]
+        if len(found) != 1:
+            wanted = ", ".join(f"{name} = {value}" for name, value in fields.items())
+            raise InputError(f"study: expected one case with {wanted}, got {len(found)}")
+        return found[0]
+
+    @property
     def is_complete(self) -> bool:
-        """Whether all parts are there."""
+        """Whether all chunks have been played."""
         count: int = self.manifest["parts"]["count"]
-        return sum(1 for _ in store.part_files(self.folder)) == count
+        return len(part_files(self.folder)) == count
 
     @property
     def games(self) -> pa.Table:
-        """All games: one row each, in the order of their numbers."""
+        """The table of all games, one row a game, in the order of their numbers."""
         import pyarrow as pa
 
         return pa.concat_tables(self.parts())
@@ -63,23 +95,23 @@ class StudyResult:
         return self.games.to_pandas()
 
     def parts(self) -> Iterator[pa.Table]:
-        """Return the games part by part, for studies that are larger than the memory."""
-        for path in store.part_files(self.folder):
+        """Return the table of games part by part, for studies larger than the memory."""
+        for path in part_files(self.folder):
             yield _table(path)
 
     def trajectories(self) -> Iterator[pa.Table]:
-        """Return the courses of the games part by part, if the study asked for them."""
-        for path in store.part_files(self.folder, MOMENTS):
+        """Return the trajectories of the games part by part; none if they were not stored."""
+        for path in part_files(self.folder, TRAJECTORIES):
             yield _table(path)
 
     @cached_property
     def moments(self) -> Moments:
-        """Means and covariances of the survival times of all cases, read part by part."""
+        """Means and covariances of the survival times in all cases."""
         return moments_of(self.parts(), int(self.manifest["cases"]))
 
     @cached_property
     def values(self) -> Moments:
-        """The same of what came of the objectives."""
+        """Means and covariances of the objective's values in all cases."""
         return moments_of(self.parts(), int(self.manifest["cases"]), "value")
 
 
@@ -89,23 +121,23 @@ def load_study(folder: str | os.PathLike[str]) -> StudyResult:
     Parameters
     ----------
     folder
-        To which `run_study` or `covey study` wrote, or is writing.
+        Folder that `run_study` or `covey study` wrote to. The run may still be going on.
 
     Returns
     -------
     StudyResult
-        `.games` is the table of all games, `.study` and `.manifest` tell what was played.
+        `.games` is the table of all games; `.study` and `.manifest` describe them.
 
     Raises
     ------
     InputError
-        If no study is there.
+        If the folder holds no study.
     """
-    place = Path(folder)
-    manifest = read_manifest(place)
+    path = Path(folder)
+    manifest = read_manifest(path)
     if manifest is None:
-        raise InputError(f"{place}: expected the results of a study, but there is no {NAME}")
-    return StudyResult(place, manifest)
+        raise InputError(f"{path}: expected the results of a study, but there is no {NAME}")
+    return StudyResult(path, manifest)
 
 
 def _table(path: Path) -> pa.Table:

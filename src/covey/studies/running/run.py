@@ -1,4 +1,4 @@
-"""Run a study: the one function that this room is for."""
+"""`run_study`: play the games of a study that are missing in a folder, and save them there."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from typing import Any
 
 from covey.studies.design.study import Study
 from covey.studies.design.study_file import read_study
-from covey.studies.running import folder as store
+from covey.studies.running import result_files
 from covey.studies.running.chunks import Chunk, chunks_of
-from covey.studies.running.executors import hired
+from covey.studies.running.executors import open_executor
 from covey.studies.running.lock import locked
 from covey.studies.running.manifest import (
     manifest_of,
@@ -21,11 +21,11 @@ from covey.studies.running.manifest import (
     write_manifest,
 )
 from covey.studies.running.results import StudyResult, load_study
-from covey.studies.running.scheduler import Conductor
-from covey.studies.running.worker import Parts
+from covey.studies.running.scheduler import Failure, Scheduler
+from covey.studies.running.worker import ChunkResult
 
 Progress = Callable[[int, int], None]
-"""Called with the number of games done and of all games; first with those done in earlier runs."""
+"""Called with the numbers of games done and of all games, first before any game of this run."""
 
 
 def run_study(
@@ -36,50 +36,49 @@ def run_study(
     dask: str | None = None,
     progress: Progress | None = None,
 ) -> StudyResult:
-    """Play all games of a study, or those that a run which was stopped has left.
+    """Play all games of a study that an earlier run has not saved in the folder.
 
     Parameters
     ----------
     study
         A `Study`, or its TOML file.
     folder
-        Where the results go. Everything is there at any moment, so the run may be killed and
-        started again; the tables come out the same, byte for byte, as they do for any number of
-        workers.
+        Where the results go. A run may be killed at any moment and started again. The tables are
+        the same, byte for byte, for any interruption and any number of workers.
     workers
-        Processes on this machine; by default as many as it has cores. With 1 the games are played
-        in this process.
+        Processes on this machine, at least 1; by default the number of cores. With 1 the games are
+        played in this process.
     dask
-        Address of the scheduler of a Dask cluster, tcp://... The folder needs to be seen from here
-        only; covey must be installed on the workers in this very version.
+        Address of the scheduler of a Dask cluster, tcp://... The same version of covey must be
+        installed on its workers. The folder is written to from this process only.
     progress
-        Called with the numbers of games done and of all, at the start and after every chunk.
+        Called with the numbers of games done and of all games, at the start and after every chunk.
 
     Returns
     -------
     StudyResult
-        What `load_study` reads back; `failures` tells which games could not be played.
+        The same as from `load_study`, and in `failures` the games that could not be played.
 
     Raises
     ------
     InputError
-        If the study or an argument can't be used, if the folder holds another study, or if another
-        run is at work there.
+        If the study or an argument is invalid, if the folder holds another study, or if another run
+        is writing to it.
     OSError
-        If a file can't be written, on a full disk for example. What is there stays intact.
+        If a file can't be written, on a full disk for example. Files of earlier chunks stay intact.
     """
     chosen = study if isinstance(study, Study) else read_study(study)
-    place = Path(folder)
-    store.prepare(place, trajectories=chosen.trajectories)
-    with locked(place):
-        _claim(place, chosen)
-        store.remove_leftovers(place)
-        failures = _play_missing(chosen, place, workers, dask, progress)
-    return StudyResult(place, load_study(place).manifest, tuple(map(str, failures)))
+    path = Path(folder)
+    result_files.prepare(path, trajectories=chosen.trajectories)
+    with locked(path):
+        _write_or_check_manifest(path, chosen)
+        result_files.remove_leftovers(path)
+        failures = _play_missing(chosen, path, workers, dask, progress)
+    return StudyResult(path, load_study(path).manifest, tuple(map(str, failures)))
 
 
-def _claim(folder: Path, study: Study) -> None:
-    """Write the manifest or, if there is one, make sure that it is this study's."""
+def _write_or_check_manifest(folder: Path, study: Study) -> None:
+    """Write the manifest, or make sure that the one in the folder is this study's."""
     before, now = read_manifest(folder), manifest_of(study)
     if before is None:
         write_manifest(folder, now)
@@ -93,37 +92,41 @@ def _play_missing(
     workers: int | None,
     dask: str | None,
     progress: Progress | None,
-) -> list[Any]:
+) -> list[Failure]:
+    """Play the chunks that have no file yet, and write the log of this run."""
     cases, chunks = len(study.cases), chunks_of(study)
-    missing = [chunk for chunk in chunks if not store.is_kept(folder, chunk, cases)]
+    missing = [chunk for chunk in chunks if not result_files.is_saved(folder, chunk, cases)]
     done = study.games - cases * sum(chunk.last - chunk.first for chunk in missing)
     report = progress or (lambda _done, _all: None)
     report(done, study.games)
     if not missing:
         return []
 
-    def keep(chunk: Chunk, parts: Parts) -> None:
+    def save(chunk: Chunk, result: ChunkResult) -> None:
         nonlocal done
-        store.keep(folder, chunk, parts)
-        store.note(folder, _cost(chunk, parts))
+        result_files.save_chunk(folder, chunk, result)
+        result_files.append_to_log(folder, _cost(chunk, result))
         done += cases * (chunk.last - chunk.first)
         report(done, study.games)
 
     began = time.perf_counter()
-    with hired(workers, dask) as crew:
-        store.note(folder, {"event": "run", "workers": crew.size, "parts": len(missing)})
-        failures = Conductor(study, crew, keep).conduct(missing)
+    with open_executor(workers, dask) as executor:
+        begin = {"event": "run", "workers": executor.size, "parts": len(missing)}
+        result_files.append_to_log(folder, begin)
+        failures = Scheduler(study, executor, save).run(missing)
     for failure in failures:
-        store.note(folder, {"event": "failure", **failure._asdict(), "chunk": failure.chunk.number})
-    store.note(folder, {"event": "end", "seconds": round(time.perf_counter() - began, 3)})
+        entry = {"event": "failure", **failure._asdict(), "chunk": failure.chunk.number}
+        result_files.append_to_log(folder, entry)
+    end = {"event": "end", "seconds": round(time.perf_counter() - began, 3)}
+    result_files.append_to_log(folder, end)
     return failures
 
 
-def _cost(chunk: Chunk, parts: Parts) -> dict[str, Any]:
+def _cost(chunk: Chunk, result: ChunkResult) -> dict[str, Any]:
     return {
         "event": "part",
         "part": chunk.number,
-        "seconds": round(parts.seconds, 4),
-        "cpu_seconds": round(parts.cpu_seconds, 4),
-        "playing_seconds": round(parts.playing_seconds, 4),
+        "seconds": round(result.seconds, 4),
+        "cpu_seconds": round(result.cpu_seconds, 4),
+        "playing_seconds": round(result.playing_seconds, 4),
     }

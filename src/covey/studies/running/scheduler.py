@@ -1,8 +1,8 @@
-"""Send chunks to workers, write what comes back, and get over those that fail or die.
+"""Sends chunks to workers, saves their results, and recovers from chunks that fail or crash.
 
-A worker that dies takes the whole pool along, and nobody knows which of the chunks in flight was
-to blame. All of them are suspects then, and are played alone, one after the other: whoever kills a
-worker now is guilty. A chunk that has failed twice is left out and reported.
+A worker that dies breaks the whole pool, and all chunks that were running come back with the same
+error. All of them are quarantined: they run again one at a time, so that the next crash names its
+chunk. A chunk that has failed twice is left out and reported.
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ from typing import Any, NamedTuple
 
 from covey.studies.design.study import Study
 from covey.studies.running.chunks import Chunk
-from covey.studies.running.executors import Crew
+from covey.studies.running.executors import Executor
 from covey.studies.running.games import GameError
 from covey.studies.running.provenance import code_digest
-from covey.studies.running.worker import OtherCodeError, Parts, play_chunk
+from covey.studies.running.worker import ChunkResult, OtherCodeError, play_chunk
 
-TRIES = 2
-_AHEAD = 2
-"""Chunks in flight for each worker: the next one waits there when one is done."""
+_MAX_TRIES = 2
+_QUEUED = 2
+"""Chunks submitted for each worker, so that none waits for its next chunk."""
 
 
 class Failure(NamedTuple):
@@ -33,66 +33,66 @@ class Failure(NamedTuple):
     message: str
 
     def __str__(self) -> str:
-        """Return the line that a person reads."""
+        """Return the line that is shown to the user."""
         return (
             f"starts {self.chunk.first} to {self.chunk.last - 1} are missing: start {self.start} "
             f"(seed {self.seed}): {self.message}"
         )
 
 
-class Conductor:
-    """One run of a study; `keep` gets what comes back, in the order in which it does."""
+class Scheduler:
+    """Runs the chunks of a study once; `save` gets each result as soon as its chunk is done."""
 
-    def __init__(self, study: Study, crew: Crew, keep: Callable[[Chunk, Parts], None]) -> None:
-        self._study, self._crew, self._keep = study, crew, keep
+    def __init__(
+        self, study: Study, executor: Executor, save: Callable[[Chunk, ChunkResult], None]
+    ) -> None:
+        self._study, self._executor, self._save = study, executor, save
         self._waiting: deque[Chunk] = deque()
-        self._suspects: deque[Chunk] = deque()
-        self._flying: dict[Future[Any], Chunk] = {}
+        self._quarantined: deque[Chunk] = deque()
+        self._running: dict[Future[Any], Chunk] = {}
         self._tries: Counter[int] = Counter()
         self._failures: list[Failure] = []
 
-    def conduct(self, chunks: Iterable[Chunk]) -> list[Failure]:
+    def run(self, chunks: Iterable[Chunk]) -> list[Failure]:
         """Play all chunks, and return those that failed."""
         self._waiting.extend(chunks)
-        while self._waiting or self._suspects or self._flying:
-            self._launch()
-            done, _ = wait(self._flying, return_when=FIRST_COMPLETED)
-            alone = len(self._flying) == 1
+        while self._waiting or self._quarantined or self._running:
+            self._submit_next()
+            done, _ = wait(self._running, return_when=FIRST_COMPLETED)
+            alone = len(self._running) == 1
             for future in done:
-                self._land(self._flying.pop(future), future, alone)
+                self._collect(self._running.pop(future), future, alone)
         return self._failures
 
-    def _launch(self) -> None:
-        if self._suspects:
-            if not self._flying:
-                self._crew.renew()
-                self._send(self._suspects.popleft())
-            return
-        while self._waiting and len(self._flying) < max(1, _AHEAD * self._crew.size - 1):
-            self._send(self._waiting.popleft())
-
-    def _send(self, chunk: Chunk) -> None:
-        self._flying[self._submit(chunk)] = chunk
+    def _submit_next(self) -> None:
+        """Submit one quarantined chunk if no other runs, or else as many as keep workers busy."""
+        if not self._running:
+            self._executor.restart()
+        most = 1 if self._quarantined else max(1, _QUEUED * self._executor.size - 1)
+        queue = self._quarantined or self._waiting
+        while queue and len(self._running) < most:
+            chunk = queue.popleft()
+            self._running[self._submit(chunk)] = chunk
 
     def _submit(self, chunk: Chunk) -> Future[Any]:
-        part = self._study.only(chunk.first, chunk.last)
-        return self._crew.submit(play_chunk, part, chunk, code_digest())
+        study = self._study.only(chunk.first, chunk.last)
+        return self._executor.submit(play_chunk, study, chunk, code_digest())
 
-    def _land(self, chunk: Chunk, future: Future[Any], alone: bool) -> None:
+    def _collect(self, chunk: Chunk, future: Future[Any], alone: bool) -> None:
         error = future.exception()
         if error is None:
-            self._keep(chunk, future.result())
+            self._save(chunk, future.result())
         elif isinstance(error, OtherCodeError):
             raise error
         elif isinstance(error, BrokenExecutor) and not alone:
-            self._suspects.append(chunk)
+            self._quarantined.append(chunk)
         else:
             self._retry(chunk, error)
 
     def _retry(self, chunk: Chunk, error: BaseException) -> None:
         self._tries[chunk.number] += 1
-        if self._tries[chunk.number] < TRIES:
-            queue = self._suspects if isinstance(error, BrokenExecutor) else self._waiting
+        if self._tries[chunk.number] < _MAX_TRIES:
+            queue = self._quarantined if isinstance(error, BrokenExecutor) else self._waiting
             queue.append(chunk)
         else:
             self._failures.append(self._failure(chunk, error))
@@ -101,20 +101,16 @@ class Conductor:
         if isinstance(error, GameError):
             start = error.number // len(self._study.cases)
             return Failure(chunk, start, error.seed, error.message)
-        start = chunk.first
-        if isinstance(error, BrokenExecutor):
-            start = self._deadly_start(chunk)
-        return Failure(chunk, start, self._seed(start), f"{type(error).__name__}: {error}")
+        crashed = isinstance(error, BrokenExecutor)
+        start = self._find_crashing_start(chunk) if crashed else chunk.first
+        seed = self._study.start(start, min(self._study.team_size)).seed
+        return Failure(chunk, start, seed, f"{type(error).__name__}: {error}")
 
-    def _deadly_start(self, chunk: Chunk) -> int:
-        """Play the starts of a chunk one by one, to find the one that kills its worker."""
+    def _find_crashing_start(self, chunk: Chunk) -> int:
+        """Play the starts of a chunk one at a time, until one of them kills its worker."""
+        self._executor.restart()
         for start in range(chunk.first, chunk.last):
-            self._crew.renew()
-            one = self._submit(Chunk(chunk.number, start, start + 1))
-            if isinstance(one.exception(), BrokenExecutor):
-                self._crew.renew()
+            future = self._submit(Chunk(chunk.number, start, start + 1))
+            if isinstance(future.exception(), BrokenExecutor):
                 return start
         return chunk.first
-
-    def _seed(self, start: int) -> int:
-        return self._study.start(start, min(self._study.team_size)).seed

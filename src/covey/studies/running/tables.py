@@ -1,7 +1,8 @@
-"""The tables of a study: one row a game, and on request one row for every moment of every game.
+"""The tables of a study: one row a game, and on request one row a time of every game.
 
-Every column holds one number or word a row, so that pandas, polars and DuckDB read it without
-help; where a team is smaller than the largest one, its last columns are null.
+Every column holds one number or word a row, so that pandas, polars and DuckDB read the tables
+directly. Where a team is smaller than the study's largest, the columns of its missing evaders are
+null.
 """
 
 from __future__ import annotations
@@ -12,61 +13,52 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from covey.simulation import Game
 from covey.simulation.strategy import description
-from covey.studies.design.study import GRID, Study
+from covey.studies.design.study import GRID, Case, Study
 from covey.studies.running.games import StudyGame
 
 if TYPE_CHECKING:
     import pyarrow as pa
 
-_WORDS = ("sensing", "objective", "evaders", "pursuer")
-_WHOLE = ("team_size",)
-GAMES, MOMENTS = "games", "trajectories"
+GAMES, TRAJECTORIES = "games", "trajectories"
+_TEXTS = ("sensing", "objective", "evaders", "pursuer")
 
 
 def games_table(study: Study, games: Iterable[StudyGame]) -> pa.Table:
-    """Return the table of games: who started where, what was guaranteed, what came of it."""
+    """Return the table of games: their starts, guarantees, captures and values."""
     import pyarrow as pa
 
-    played = list(games)
-    size = max(study.team_size)
-    cases = [_case_row(case) for case in study.cases]
-    schema = _schema(size)
-    columns: dict[str, list[Any]] = {name: [] for name in schema.names}
-    for game in played:
-        columns["game"].append(game.number)
-        columns["start"].append(game.start)
-        columns["case"].append(game.case)
-        columns["seed"].append(game.origin.seed)
-        columns["guarantee"].append(game.outcome.guarantee)
-        columns["survival_time"].append(game.outcome.survival_time)
-        columns["planned_value"].append(game.outcome.planned_value)
-        columns["value"].append(game.outcome.value)
-        for name, value in cases[game.case].items():
-            columns[name].append(value)
-        _captures(columns, game, size)
-    return pa.table(columns, schema=schema)
+    cases = [_case_columns(case) for case in study.cases]
+    rows = [cases[game.case] | _game_columns(game) for game in games]
+    return pa.Table.from_pylist(rows, schema=_schema(max(study.team_size)))
 
 
-def _captures(columns: dict[str, list[Any]], game: StudyGame, size: int) -> None:
-    captured = game.outcome.capture_sequence.tolist()
-    times = game.outcome.capture_times.tolist()
-    places = game.origin.positions.tolist()
-    headings = game.origin.headings.tolist()
-    for k in range(size):
-        columns[f"captured_{k}"].append(captured[k] if k < len(captured) else None)
-        columns[f"capture_time_{k}"].append(times[k] if k < len(times) else None)
-        x, y = places[k] if k < len(places) else (None, None)
-        columns[f"evader_{k}_x"].append(x)
-        columns[f"evader_{k}_y"].append(y)
-        columns[f"evader_{k}_heading"].append(headings[k] if k < len(headings) else None)
-
-
-def _case_row(case: Any) -> dict[str, Any]:
+def _case_columns(case: Case) -> dict[str, Any]:
     row = case._asdict()
     for name in ("objective", "evaders", "pursuer"):
         row[name] = described_text(description(row[name]))
-    return dict(row)
+    return row
+
+
+def _game_columns(game: StudyGame) -> dict[str, Any]:
+    outcome, origin = game.outcome, game.origin
+    row = {
+        "game": game.number,
+        "start": game.start,
+        "case": game.case,
+        "seed": origin.seed,
+        "guarantee": outcome.guarantee,
+        "survival_time": outcome.survival_time,
+        "planned_value": outcome.planned_value,
+        "value": outcome.value,
+    }
+    row |= {f"captured_{k}": i for k, i in enumerate(outcome.capture_sequence.tolist())}
+    row |= {f"capture_time_{k}": time for k, time in enumerate(outcome.capture_times.tolist())}
+    for i, (x, y) in enumerate(origin.positions.tolist()):
+        row |= {f"evader_{i}_x": x, f"evader_{i}_y": y}
+    row |= {f"evader_{i}_heading": h for i, h in enumerate(origin.headings.tolist())}
+    return row
 
 
 def described_text(strategy: Mapping[str, Any]) -> str:
@@ -78,37 +70,33 @@ def described_text(strategy: Mapping[str, Any]) -> str:
 def _schema(size: int) -> pa.Schema:
     import pyarrow as pa
 
-    kinds: dict[str, Any] = {"game": pa.int64(), "start": pa.int64(), "case": pa.int32()}
-    for name in GRID:
-        kinds[name] = pa.string() if name in _WORDS else pa.float64()
-    for name in _WHOLE:
-        kinds[name] = pa.int32()
-    kinds["seed"] = pa.int64()
+    types: dict[str, Any] = {"game": pa.int64(), "start": pa.int64(), "case": pa.int32()}
+    types |= {name: pa.string() if name in _TEXTS else pa.float64() for name in GRID}
+    types |= {"team_size": pa.int32(), "seed": pa.int64()}
     for name in ("guarantee", "survival_time", "planned_value", "value"):
-        kinds[name] = pa.float64()
-    kinds |= {f"captured_{k}": pa.int32() for k in range(size)}
-    kinds |= {f"capture_time_{k}": pa.float64() for k in range(size)}
-    for k in range(size):
-        kinds |= {f"evader_{k}_{part}": pa.float64() for part in ("x", "y", "heading")}
-    return pa.schema(list(kinds.items()))
+        types[name] = pa.float64()
+    types |= {f"captured_{k}": pa.int32() for k in range(size)}
+    types |= {f"capture_time_{k}": pa.float64() for k in range(size)}
+    for i in range(size):
+        types |= {f"evader_{i}_{part}": pa.float64() for part in ("x", "y", "heading")}
+    return pa.schema(list(types.items()))
 
 
-def moments_table(study: Study, games: Iterable[StudyGame]) -> pa.Table:
-    """Return the courses of all games, one after the other, in single precision."""
+def trajectories_table(study: Study, games: Iterable[StudyGame]) -> pa.Table:
+    """Return the trajectories of all recorded games, one game after the other, in float32."""
     import pyarrow as pa
 
     size = max(study.team_size)
-    tables = [_moments(game, size) for game in games if game.record is not None]
-    return pa.concat_tables(tables)
+    return pa.concat_tables(
+        _trajectory(game.number, game.record, size) for game in games if game.record is not None
+    )
 
 
-def _moments(game: StudyGame, size: int) -> pa.Table:
+def _trajectory(number: int, record: Game, size: int) -> pa.Table:
     import pyarrow as pa
 
-    record = game.record
-    assert record is not None
-    count, moments = len(record.team), len(record.times)
-    columns: dict[str, Any] = {
+    count = len(record.times)
+    columns = {
         "time": record.times,
         "guarantee": record.guarantees,
         "disk_x": record.disk_centers[:, 0],
@@ -117,35 +105,30 @@ def _moments(game: StudyGame, size: int) -> pa.Table:
         "pursuer_x": record.pursuer_positions[:, 0],
         "pursuer_y": record.pursuer_positions[:, 1],
     }
-    for k in range(size):
-        for name, values in (
-            ("x", record.evader_positions[:, :, 0]),
-            ("y", record.evader_positions[:, :, 1]),
-            ("heading", record.evader_headings),
-        ):
-            columns[f"evader_{k}_{name}"] = values[:, k] if k < count else None
-    arrays = {
-        name: pa.nulls(moments, pa.float32())
-        if values is None
-        else pa.array(values.astype(np.float32))
-        for name, values in columns.items()
-    }
-    return pa.table({"game": pa.array(np.full(moments, game.number)), **arrays})
+    for i in range(len(record.team)):
+        columns[f"evader_{i}_x"] = record.evader_positions[:, i, 0]
+        columns[f"evader_{i}_y"] = record.evader_positions[:, i, 1]
+        columns[f"evader_{i}_heading"] = record.evader_headings[:, i]
+    arrays = {name: pa.array(values.astype(np.float32)) for name, values in columns.items()}
+    for i in range(len(record.team), size):
+        for part in ("x", "y", "heading"):
+            arrays[f"evader_{i}_{part}"] = pa.nulls(count, pa.float32())
+    return pa.table({"game": pa.array(np.full(count, number)), **arrays})
 
 
 def encoded(table: pa.Table) -> bytes:
-    """Return a table as the bytes of a Parquet file; the same table gives the same bytes."""
+    """Return a table as the bytes of a Parquet file. Equal tables give equal bytes."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
     sink = pa.BufferOutputStream()
-    dense = [field.name for field in table.schema if field.type == pa.float32()]
+    floats = [field.name for field in table.schema if field.type == pa.float32()]
     pq.write_table(
         table,
         sink,
         compression="zstd",
-        use_dictionary=not dense,
-        use_byte_stream_split=dense or False,
+        use_dictionary=not floats,
+        use_byte_stream_split=floats or False,
         write_page_checksum=True,
     )
     content: bytes = sink.getvalue().to_pybytes()
@@ -153,7 +136,7 @@ def encoded(table: pa.Table) -> bytes:
 
 
 def decoded(content: bytes) -> pa.Table:
-    """Return the table that a Parquet file holds; raises what pyarrow does if it is damaged."""
+    """Return the table of a Parquet file. Raises pyarrow's errors if the bytes are damaged."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 

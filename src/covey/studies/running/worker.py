@@ -1,4 +1,4 @@
-"""What is sent to a worker, and what comes back."""
+"""The function that a worker runs, and the result that it sends back."""
 
 from __future__ import annotations
 
@@ -9,24 +9,24 @@ from covey.studies.design.study import Study
 from covey.studies.running.chunks import Chunk
 from covey.studies.running.games import play_start
 from covey.studies.running.provenance import code_digest
-from covey.studies.running.tables import encoded, games_table, moments_table
+from covey.studies.running.tables import encoded, games_table, trajectories_table
 
 
-class Parts(NamedTuple):
-    """The files of a chunk, and what they cost."""
+class ChunkResult(NamedTuple):
+    """The contents of a chunk's files, and how long the chunk took."""
 
     games: bytes
     trajectories: bytes | None
-    seconds: float  # of the clock
+    seconds: float  # wall-clock time
     cpu_seconds: float
-    playing_seconds: float  # of the clock, without the making of tables
+    playing_seconds: float  # wall-clock time without the making of tables
 
 
 class OtherCodeError(Exception):
-    """A worker has another version of covey than the one that leads the study."""
+    """A worker's version of covey differs from that of the process that runs the study."""
 
 
-def play_chunk(study: Study, chunk: Chunk, code: str) -> Parts:
+def play_chunk(study: Study, chunk: Chunk, code: str) -> ChunkResult:
     """Play the games of a chunk."""
     if code_digest() != code:
         raise OtherCodeError("a worker has another version of covey; install the same everywhere")
@@ -34,5 +34,6 @@ def play_chunk(study: Study, chunk: Chunk, code: str) -> Parts:
     games = [game for start in range(chunk.first, chunk.last) for game in play_start(study, start)]
     playing = time.perf_counter() - clock
     table = encoded(games_table(study, games))
-    moments = encoded(moments_table(study, games)) if study.trajectories else None
-    return Parts(table, moments, time.perf_counter() - clock, time.thread_time() - cpu, playing)
+    courses = encoded(trajectories_table(study, games)) if study.trajectories else None
+    seconds, cpu_seconds = time.perf_counter() - clock, time.thread_time() - cpu
+    return ChunkResult(table, courses, seconds, cpu_seconds, playing)
