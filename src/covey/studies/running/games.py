@@ -10,7 +10,7 @@ from covey.players import Outcome, simulate, survival
 from covey.players.outcome import outcome_of
 from covey.simulation import Game
 from covey.studies.design.as_visible import AsVisible
-from covey.studies.design.study import Case, Start, Study, game_of
+from covey.studies.design.study import Case, InitialState, Study, game_of
 
 
 class StudyGame(NamedTuple):
@@ -19,7 +19,7 @@ class StudyGame(NamedTuple):
     number: int
     case: int
     start: int
-    origin: Start
+    origin: InitialState
     outcome: Outcome
     record: Game | None  # kept on request
 
@@ -56,7 +56,7 @@ def play_start(study: Study, number: int) -> Iterator[StudyGame]:
 
 
 def _play(
-    case: Case, start: Start, visible: dict[tuple[Any, ...], Outcome], recorded: bool
+    case: Case, start: InitialState, visible: dict[tuple[Any, ...], Outcome], recorded: bool
 ) -> tuple[Outcome, Game | None]:
     if not isinstance(case.pursuer, AsVisible):
         return _play_as(case, start, recorded)
@@ -82,7 +82,7 @@ def _without_sensing(case: Case) -> tuple[Any, ...]:
     return tuple(values.values())
 
 
-def _play_as(case: Case, start: Start, recorded: bool) -> tuple[Outcome, Game | None]:
+def _play_as(case: Case, start: InitialState, recorded: bool) -> tuple[Outcome, Game | None]:
     arguments: dict[str, Any] = {
         "evaders": case.evaders,
         "pursuer": case.pursuer,
