@@ -84,6 +84,7 @@ def test_all_mistakes_of_a_file_are_told_at_once(tmp_path):
         ({"speed": [0.1, 1.0]}, "expected every evader to be slower than the pursuer"),
         ({"team_size": []}, "expected a value or a list of values"),
         ({"pursuer": covey.FixedSequence([0, 1])}, "expected a sequence of all 5 evaders"),
+        ({"pursuer": iter([{"name": "committed", "margn": 1}])}, r"pursuer\[0\].margn: unknown"),
         ({"evaders": 3}, "evaders: expected a name, or a table"),
         ({"objective": "totl-survival"}, 'did you mean "total-survival"'),
         (

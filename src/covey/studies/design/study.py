@@ -109,7 +109,7 @@ class Study:
         from covey.studies.design.fields import read_fields
 
         given = {field.name: getattr(self, field.name) for field in fields(self)}
-        grid = {name: given.pop(name) for name in GRID}
+        grid = {name: _kept(given.pop(name)) for name in GRID}
         values, mistakes = read_fields({**given, "grid": grid})
         if mistakes:
             lines = [str(mistake).removeprefix("grid.") for mistake in mistakes]
@@ -146,6 +146,11 @@ class Study:
         described = {name: plain(getattr(self, name)) for name in own}
         described["grid"] = {name: [plain(v) for v in getattr(self, name)] for name in GRID}
         return described
+
+
+def _kept(value: object) -> object:
+    """List what an iterator gives: mistakes are looked up in the values a second time."""
+    return list(value) if isinstance(value, Iterator) else value
 
 
 def game_of(case: Case, start: InitialState) -> tuple[Team, PursuerDisk]:
