@@ -9,7 +9,7 @@ import pytest
 
 import covey
 from covey.scenarios import load_scenario
-from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, make_strategy
+from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Named
 from scenarios.scenario_files import ONE_EVADER, loaded
 
 
@@ -112,9 +112,9 @@ def test_a_scenario_plans_and_plays_what_it_says(tmp_path):
 @pytest.mark.parametrize("known", [EVADERS, PURSUERS, OBJECTIVES])
 def test_what_has_parameters_describes_itself_as_a_file_would(known):
     for name in known:
-        strategy = make_strategy(name, known)
+        strategy = Named(known).read(name)
         assert strategy.describe()["name"] == name
-        assert make_strategy(dict(strategy.describe()), known) == strategy
+        assert Named(known).read(dict(strategy.describe())) == strategy
 
 
 def test_an_objective_is_planned_and_played_for(tmp_path):

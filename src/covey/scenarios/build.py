@@ -9,26 +9,25 @@ import numpy as np
 from covey.model import PursuerDisk, Team
 from covey.scenarios.scenario import Scenario
 from covey.scenarios.schema import EvaderSection, RandomSection, ScenarioFile, TeamSection
-from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, make_strategy
 from covey.scenarios.values import AWAY
 
 Point = tuple[float, float]
 
 
 def build(file: ScenarioFile, seed: int | None = None) -> Scenario:
-    """Make the scenario; `seed` takes the place of the one in the file."""
+    """Make the scenario; `seed` replaces the seed of the file."""
     chosen = file.game.seed if seed is None else seed
     pursuer = file.pursuer
     return Scenario(
         team=_team(file.team, pursuer.center, chosen),
         disk=PursuerDisk(pursuer.center, pursuer.radius, pursuer.speed, pursuer.capture_radius),
-        evaders=make_strategy(file.team.strategy, EVADERS),
-        pursuer=make_strategy(pursuer.strategy, PURSUERS),
+        evaders=file.team.strategy,
+        pursuer=pursuer.strategy,
         sensing=file.game.sensing,
         update_time=file.game.update_time,
         seed=chosen,
         time_limit=file.game.time_limit,
-        objective=make_strategy(file.game.objective, OBJECTIVES),
+        objective=file.game.objective,
     )
 
 
@@ -56,5 +55,5 @@ def _random_evaders(section: RandomSection, center: Point, seed: int) -> list[Ev
     """Place evaders as section V.B of the paper does: uniformly in a square."""
     generator = np.random.default_rng(seed if section.seed is None else section.seed)
     offsets = generator.uniform(-section.side / 2, section.side / 2, (section.count, 2))
-    places = (offsets + np.array(center)).tolist()
-    return [EvaderSection.model_construct(position=(x, y)) for x, y in places]
+    positions = (offsets + np.array(center)).tolist()
+    return [EvaderSection.model_construct(position=(x, y)) for x, y in positions]

@@ -1,17 +1,24 @@
-"""Scenario files that come with the package."""
+"""Files that come with the package."""
 
 from __future__ import annotations
 
 from pathlib import Path
-
-_FOLDER = Path(__file__).parent / "examples"
-
-
-def example_names() -> list[str]:
-    """Return the names of the scenarios that come with the package."""
-    return sorted(path.stem for path in _FOLDER.glob("*.toml"))
+from typing import NamedTuple
 
 
-def example_path(name: str) -> Path:
-    """Return the file of the scenario of this name."""
-    return _FOLDER / f"{name}.toml"
+class Examples(NamedTuple):
+    """The TOML files of a folder, by name."""
+
+    folder: Path
+
+    def names(self) -> list[str]:
+        """Return the names of the files that come with the package."""
+        return sorted(path.stem for path in self.folder.glob("*.toml"))
+
+    def path(self, name: str) -> Path:
+        """Return the file of this name that comes with the package."""
+        return self.folder / f"{name}.toml"
+
+
+_SCENARIOS = Examples(Path(__file__).parent / "examples")
+example_names, example_path = _SCENARIOS.names, _SCENARIOS.path

@@ -12,7 +12,7 @@ from pydantic import ValidationError
 from covey.model import InputError
 from covey.model.validation import whole_number
 from covey.scenarios.build import build
-from covey.scenarios.consistency import crosschecks
+from covey.scenarios.consistency import inconsistencies
 from covey.scenarios.mistakes import Mistake, mistakes_of, require_none
 from covey.scenarios.scenario import Scenario
 from covey.scenarios.schema import ScenarioFile
@@ -26,7 +26,7 @@ def load_scenario(path: str | os.PathLike[str], *, seed: int | None = None) -> S
     path
         The file.
     seed
-        Takes the place of the seed in [game], and so of [team.random] where that names none.
+        Replaces the seed in [game], and with it that of a [team.random] without a seed.
 
     Returns
     -------
@@ -36,7 +36,7 @@ def load_scenario(path: str | os.PathLike[str], *, seed: int | None = None) -> S
     Raises
     ------
     InputError
-        If the file can't be read, or with all of its mistakes, one a line: the place, what was
+        If the file can't be read, or with all of its mistakes, one a line: where, what was
         wanted, what came.
 
     Notes
@@ -48,10 +48,10 @@ def load_scenario(path: str | os.PathLike[str], *, seed: int | None = None) -> S
         [[team.evaders]]
         position = [0.3, 0.1]
     """
-    place = Path(path)
+    file = Path(path)
     if seed is not None:
         whole_number("seed", seed, low=0)
-    return build(checked(read_document(place, "a scenario"), place), seed)
+    return build(checked(read_document(file, "a scenario"), file), seed)
 
 
 def read_document(path: Path, what: str) -> dict[str, Any]:
@@ -68,11 +68,14 @@ def read_document(path: Path, what: str) -> dict[str, Any]:
 
 def checked(document: dict[str, Any], path: Path) -> ScenarioFile:
     """Check what a file says, or raise InputError with all of its mistakes."""
-    mistakes: list[Mistake] = []
-    file = ScenarioFile()
+    file, mistakes = ScenarioFile(), list[Mistake]()
     try:
         file = ScenarioFile.model_validate(document)
     except ValidationError as error:
-        mistakes += mistakes_of(error)
-    require_none([*mistakes, *crosschecks(document)], path)
+        mistakes = list(mistakes_of(error, ScenarioFile, document))
+    inconsistent = list(inconsistencies(document))
+    # Where a check found the key, the error of the whole table says the same again.
+    tables = {each.path[:end] for each in inconsistent for end in range(len(each.path))}
+    mistakes = [each for each in mistakes if each.path not in tables]
+    require_none([*mistakes, *inconsistent], path)
     return file

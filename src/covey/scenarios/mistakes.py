@@ -1,4 +1,4 @@
-"""Mistakes in a scenario file: where, what was wanted, what came, and what was probably meant."""
+"""Mistakes in a file: where, what was wanted, what came, and what was probably meant."""
 
 from __future__ import annotations
 
@@ -6,17 +6,19 @@ import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any, NamedTuple, get_args
+from typing import Any, NamedTuple, TypeGuard, get_args, get_origin
 
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
+from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
 from covey.model import InputError
-from covey.scenarios.schema import ScenarioFile
-from covey.scenarios.values import WANTED, Wanted
+from covey.scenarios import values
+from covey.scenarios.strategies import Named
+from covey.scenarios.values import Section
 
-Place = tuple[str | int, ...]
-"""Keys and positions that lead to a value: ("team", "evaders", 2, "speed")."""
+KeyPath = tuple[str | int, ...]
+"""Keys and indices that lead to a value: ("team", "evaders", 2, "speed")."""
 
 _LONGEST_VALUE = 60
 
@@ -24,17 +26,17 @@ _LONGEST_VALUE = 60
 class Mistake(NamedTuple):
     """One mistake; `text` says what was wanted and what came."""
 
-    place: Place
+    path: KeyPath
     text: str
 
     def __str__(self) -> str:
         """Return the line that a person reads."""
-        return f"{place_text(self.place)}: {self.text}"
+        return f"{path_text(self.path)}: {self.text}"
 
 
-def place_text(place: Place) -> str:
-    """Write a place as one would look for it: team.evaders[2].speed."""
-    text = "".join(f"[{key}]" if isinstance(key, int) else f".{key}" for key in place)
+def path_text(path: KeyPath) -> str:
+    """Write a path as one would look for it: team.evaders[2].speed."""
+    text = "".join(f"[{key}]" if isinstance(key, int) else f".{key}" for key in path)
     return text.removeprefix(".")
 
 
@@ -56,7 +58,7 @@ def toml_text(value: object) -> str:
         text = json.dumps(value, ensure_ascii=False)
     elif isinstance(value, bool):
         text = str(value).lower()
-    elif isinstance(value, list):
+    elif isinstance(value, list | tuple):
         text = "[" + ", ".join(toml_text(part) for part in value) + "]"
     elif isinstance(value, Mapping):
         text = "a table" + (f" with {', '.join(value)}" if value else " with nothing in it")
@@ -75,67 +77,114 @@ def _closest(word: object, known: Iterable[str]) -> str | None:
     return next(iter(get_close_matches(str(word).lower(), known, n=1)), None)
 
 
-def unknown_key(place: Place, known: Iterable[str], homes: Iterable[str] = ()) -> Mistake:
-    """Return the mistake of a key that isn't known at its place, but in the tables `homes`."""
-    names, tables = list(known), " or ".join(homes)
-    hint = did_you_mean(place[-1], names)
-    if tables:
-        hint += f'; "{place[-1]}" belongs to {tables}'
-    return Mistake(place, "unknown key" + (hint or f"; known here: {', '.join(names)}"))
+def look(document: Any, *path: str | int, default: Any = None) -> Any:
+    """Return the value at a path of the document; `default` if there is none."""
+    try:
+        for key in path:
+            document = document[key]
+    except (KeyError, TypeError, IndexError):  # absent, or below a value that isn't a table
+        return default
+    return document
 
 
-def mistakes_of(error: ValidationError) -> Iterator[Mistake]:
-    """Translate what pydantic found; a missing key that was only misspelt is told once."""
-    found = error.errors(include_url=False)
-    unknown = [detail["loc"] for detail in found if detail["type"] == "extra_forbidden"]
-    misspelt = {(*place[:-1], _closest(place[-1], _fields(place[:-1]))) for place in unknown}
-    for detail in found:
-        if detail["type"] != "missing" or detail["loc"] not in misspelt:
-            yield _mistake(detail)
+def mistakes_of(error: ValidationError, file: type[Section], document: Any) -> Iterator[Mistake]:
+    """Translate what pydantic found in a document; a missing key that was misspelt is told once."""
+    layout = _Layout(file, document)
+    found = [(layout.written(detail["loc"]), detail) for detail in error.errors(include_url=False)]
+    misspelt = {
+        (*path[:-1], _closest(path[-1], layout.table(path[:-1]).model_fields))
+        for path, detail in found
+        if detail["type"] == "extra_forbidden"
+    }
+    for path, detail in found:
+        if detail["type"] != "missing" or path not in misspelt:
+            yield Mistake(path, _text(path, detail, layout))
 
 
-def _mistake(detail: ErrorDetails) -> Mistake:
-    place, kind = detail["loc"], detail["type"]
-    if kind == "extra_forbidden":
-        homes = [table for table, names in _tables() if str(place[-1]) in names]
-        return unknown_key(place, _fields(place[:-1]), homes)
-    if kind == "missing":
-        wanted = _wanted(place)
-        return Mistake(place, "missing" + (f"; expected {wanted}" if wanted else ""))
-    if kind == WANTED:
-        return Mistake(place, wanted_but_got(detail["msg"], detail["input"]))
-    wanted = "a list of tables, [[team.evaders]]" if kind == "list_type" else "a table"
-    return Mistake(place, wanted_but_got(wanted, detail["input"]))
+def _text(path: KeyPath, detail: ErrorDetails, layout: _Layout) -> str:
+    value, context = detail["input"], detail.get("ctx", {})
+    match detail["type"]:
+        case "extra_forbidden":
+            return _unknown_key(path, layout)
+        case "missing":
+            return f"missing; expected {layout.words(path)}"
+        case "value_error":  # of what is read already
+            return str(context["error"])
+        case values.WANTED:
+            return wanted_but_got(context["words"], value)
+        case values.UNKNOWN_NAME:
+            came = "nothing" if value is None else toml_text(value)
+            return f"expected {context['words']}, got {came}{did_you_mean(value, context['known'])}"
+        case "list_type":
+            return wanted_but_got(f"a list of tables, [[{path_text(path)}]]", value)
+    return wanted_but_got("a table", value)
 
 
-def _tables() -> Iterator[tuple[str, Iterable[str]]]:
-    for table in ("[pursuer]", "[team]", "[[team.evaders]]", "[team.random]", "[game]"):
-        place = tuple(table.strip("[]").split("."))
-        yield table, _fields(place)
+def _unknown_key(path: KeyPath, layout: _Layout) -> str:
+    key, known = str(path[-1]), layout.table(path[:-1]).model_fields
+    homes = " or ".join(title for title, table in layout.tables() if key in table.model_fields)
+    hint = did_you_mean(key, known) + (f'; "{key}" belongs to {homes}' if homes else "")
+    return "unknown key" + (hint or f"; known here: {', '.join(known)}")
 
 
-def _model(place: Place) -> type[BaseModel]:
-    """Return the model of the table at `place`."""
-    model: type[BaseModel] = ScenarioFile
-    for key in place:
-        if isinstance(key, str):
-            model = _section_in(model.model_fields[key].annotation)
-    return model
+class _Layout(NamedTuple):
+    """What the models of a file say about the paths of a document."""
+
+    file: type[Section]
+    document: Any
+
+    def written(self, path: KeyPath) -> KeyPath:
+        """Drop the index of a value that stands in the document instead of a list of one."""
+        kept: KeyPath = ()
+        for key in path:
+            if isinstance(key, str) or not values.is_single(look(self.document, *kept)):
+                kept = (*kept, key)
+        return kept
+
+    def table(self, path: KeyPath) -> type[Section]:
+        """Return the model of the table at a path."""
+        for part in _parts(self._field(path)) if path else (self.file,):
+            if _is_table(part):
+                return part
+            if isinstance(part, Named):
+                return part.tables[look(self.document, *path)["name"]]
+        raise LookupError(path)
+
+    def words(self, path: KeyPath) -> str:
+        """Return in words the type of the value at a path."""
+        parts = _parts(self._field(path))
+        return next(part.words for part in parts if isinstance(part, values.ValueType))
+
+    def tables(self) -> Iterator[tuple[str, type[Section]]]:
+        """Return all tables of the file, each with its heading."""
+        yield "the top of the file", self.file
+        yield from _tables_below(self.file)
+
+    def _field(self, path: KeyPath) -> FieldInfo:
+        while isinstance(path[-1], int):
+            path = path[:-1]
+        return self.table(path[:-1]).model_fields[path[-1]]
 
 
-def _section_in(annotation: Any) -> type[BaseModel]:
-    """Find the model in `EvaderSection`, `list[EvaderSection]` or `RandomSection | None`."""
-    for part in (annotation, *get_args(annotation)):
-        if isinstance(part, type) and issubclass(part, BaseModel):
-            return part
-    raise TypeError(annotation)
+def _tables_below(parent: type[Section], path: KeyPath = ()) -> Iterator[tuple[str, type[Section]]]:
+    for key, field in parent.model_fields.items():
+        heading, parts = f"[{path_text((*path, key))}]", list(_parts(field))
+        for table in filter(_is_table, parts):
+            yield f"[{heading}]" if list in {get_origin(part) for part in parts} else heading, table
+            yield from _tables_below(table, (*path, key))
 
 
-def _fields(place: Place) -> list[str]:
-    return list(_model(place).model_fields)
+def _parts(field: FieldInfo) -> Iterator[Any]:
+    """Return the annotation of a field, the types in it, and what is known of each."""
+    yield from field.metadata
+    yield from _parts_of(field.annotation)
 
 
-def _wanted(place: Place) -> str:
-    """Return in words the kind of value that belongs to the key at `place`."""
-    kinds = _model(place[:-1]).model_fields[str(place[-1])].metadata
-    return next((kind.words for kind in kinds if isinstance(kind, Wanted)), "")
+def _parts_of(annotation: Any) -> Iterator[Any]:
+    yield annotation
+    for part in get_args(annotation):
+        yield from _parts_of(part)
+
+
+def _is_table(part: Any) -> TypeGuard[type[Section]]:
+    return isinstance(part, type) and issubclass(part, Section)

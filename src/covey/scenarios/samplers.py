@@ -55,8 +55,8 @@ class Square:
 
     def draw(self, start: int, count: int, generator: np.random.Generator) -> tuple[Floats, Floats]:  # noqa: ARG002 the protocol
         """Return positions and headings."""
-        angles, places = generator.spawn(2)
-        positions = places.uniform(-0.5 * self.side, 0.5 * self.side, (count, 2))
+        angles, points = generator.spawn(2)
+        positions = points.uniform(-0.5 * self.side, 0.5 * self.side, (count, 2))
         return positions, _headings(self.headings, positions, angles)
 
     def describe(self) -> dict[str, Any]:
@@ -86,8 +86,8 @@ class Disk:
 
     def draw(self, start: int, count: int, generator: np.random.Generator) -> tuple[Floats, Floats]:  # noqa: ARG002 the protocol
         """Return positions and headings."""
-        angles, places = generator.spawn(2)
-        shares, bearings = places.uniform(0.0, 1.0, (count, 2)).T
+        angles, points = generator.spawn(2)
+        shares, bearings = points.uniform(0.0, 1.0, (count, 2)).T
         # The root makes rings of equal area equally likely.
         distances = self.radius * np.sqrt(shares)
         turns = math.tau * bearings

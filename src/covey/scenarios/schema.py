@@ -1,11 +1,11 @@
-"""What a scenario file may contain: its tables, keys, kinds of value and defaults.
+"""What a scenario file may contain: its tables, keys, types of value and defaults.
 
     [pursuer]   center, radius, speed, capture_radius, strategy
     [team]      speed, turn_rate, headings: defaults of all evaders; strategy;
                 then one of [[team.evaders]] and [team.random]
     [game]      objective, sensing, update_time, seed, time_limit
 
-A key says nothing about any other here; what must fit together is in `crosschecks`.
+Each key is checked by itself here. What must fit together is in `consistency`.
 """
 
 from __future__ import annotations
@@ -13,8 +13,9 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import Field
 
+from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Named
 from covey.scenarios.values import (
     AWAY,
     Duration,
@@ -23,30 +24,25 @@ from covey.scenarios.values import (
     Point,
     Positive,
     Rate,
+    Section,
     Whole,
     one_of,
 )
 from covey.simulation.settings import SENSING
 
 
-class Section(BaseModel):
-    """A table of the file; keys that it doesn't know are mistakes."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-
 class PursuerSection(Section):
-    """[pursuer]: the disk that it is in, what it can do, and how it chooses its next target."""
+    """[pursuer]: its disk, speed and reach, and the strategy that chooses its next target."""
 
     center: Point = (0.0, 0.0)
     radius: NotNegative = 0.0
     speed: Positive = 1.0
     capture_radius: NotNegative = 0.0
-    strategy: Any = "committed"
+    strategy: Annotated[Any, Named(PURSUERS)] = Field(default="committed", validate_default=True)
 
 
 class EvaderSection(Section):
-    """One of [[team.evaders]]; what it leaves out comes from [team]."""
+    """One of [[team.evaders]]; keys left out come from [team]."""
 
     position: Point
     heading: Heading | None = None
@@ -68,15 +64,19 @@ class TeamSection(Section):
     speed: NotNegative = 0.25
     turn_rate: Rate = math.pi / 2
     headings: Heading = AWAY
-    strategy: Any = "iterative-open-loop"
-    evaders: list[EvaderSection] = []
+    strategy: Annotated[Any, Named(EVADERS)] = Field(
+        default="iterative-open-loop", validate_default=True
+    )
+    evaders: list[EvaderSection] = Field(default_factory=list)
     random: RandomSection | None = None
 
 
 class GameSection(Section):
-    """[game]: what it is about, and how it is played."""
+    """[game]: its objective, and how it is played."""
 
-    objective: Any = "last-capture"
+    objective: Annotated[Any, Named(OBJECTIVES)] = Field(
+        default="last-capture", validate_default=True
+    )
     sensing: Annotated[str, one_of(*SENSING)] = "hidden"
     update_time: Positive = 0.01
     seed: Whole = 0
@@ -86,6 +86,6 @@ class GameSection(Section):
 class ScenarioFile(Section):
     """The whole file."""
 
-    pursuer: PursuerSection = PursuerSection()
-    team: TeamSection = TeamSection()
-    game: GameSection = GameSection()
+    pursuer: PursuerSection = Field(default_factory=PursuerSection)
+    team: TeamSection = Field(default_factory=TeamSection)
+    game: GameSection = Field(default_factory=GameSection)

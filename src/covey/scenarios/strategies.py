@@ -6,12 +6,17 @@ strategy = { name = "committed", margin = 0.05 }
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import MISSING, dataclass, fields
-from typing import Any
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property, reduce
+from inspect import Parameter, signature
+from operator import or_
+from typing import Any, Literal
 
-from covey.model import ExpectedSurvival, InputError, LastCapture, TotalSurvival
+from pydantic import GetCoreSchemaHandler, ValidationError, create_model
+from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
+
+from covey.model import ExpectedSurvival, LastCapture, TotalSurvival
 from covey.model.objectives import MEASURES
 from covey.players import (
     BestSequence,
@@ -30,67 +35,47 @@ from covey.players import (
     SmallestDanger,
     StraightAway,
 )
-from covey.scenarios.mistakes import (
-    Mistake,
-    Place,
-    did_you_mean,
-    toml_text,
-    unknown_key,
-    wanted_but_got,
+from covey.scenarios.values import (
+    UNKNOWN_NAME,
+    AtLeastOne,
+    Margin,
+    NotNegative,
+    Offset,
+    Section,
+    Sequence,
+    Sequences,
+    Weights,
+    Whole,
+    one_of,
+    one_of_words,
+    wanted,
 )
-from covey.scenarios.values import Wanted, as_not_negative, as_point, as_whole, one_of
 
 
 @dataclass(frozen=True)
 class Entry:
-    """A strategy or objective, and the kind of value that each of its parameters is."""
+    """A strategy or objective, and the type of each of its parameters."""
 
     make: Callable[..., Any]
-    parameters: Mapping[str, Wanted]
+    parameters: Mapping[str, Any]
+
+    def table(self, name: str) -> type[Section]:
+        """Return the model of the table that gives this name and the parameters."""
+        defaults = {
+            key: ... if each.default is Parameter.empty else each.default
+            for key, each in signature(self.make).parameters.items()
+        }
+        keys: Any = {key: (kind, defaults[key]) for key, kind in self.parameters.items()}
+        return create_model(name, __base__=Section, **{"name": (Literal[name], ...), **keys})
 
 
-def _starts(value: object) -> int | None:
-    return as_whole(value) or None
-
-
-def _margin(value: object) -> float | None:
-    return math.inf if value == math.inf else as_not_negative(value)
-
-
-def _sequence(value: object) -> list[int] | None:
-    if isinstance(value, list) and all(as_whole(i) is not None for i in value):
-        return value
-    return None
-
-
-def _sequences(value: object) -> list[list[int]] | None:
-    if isinstance(value, list) and value and all(_sequence(each) for each in value):
-        return value
-    return None
-
-
-def _weights(value: object) -> list[float] | None:
-    if not isinstance(value, list):
-        return None
-    weights = [as_not_negative(each) for each in value]
-    return None if None in weights else value
-
-
-def _offset(value: object) -> tuple[float, float] | None:
-    point = as_point(value)
-    return point if point is not None and math.hypot(*point) <= 1.0 else None
-
-
-_STARTS = {"starts": Wanted("a whole number >= 1", _starts)}
-_RESTARTS = {"restarts": Wanted("a whole number >= 0", as_whole)}
-_REPLAN_TIME = {"replan_time": Wanted("a finite number >= 0", as_not_negative)}
-_MARGIN = {"margin": Wanted("a number >= 0 (inf is allowed)", _margin)}
-_OFFSET = {"offset": Wanted("a point [x, y] at most 1 from the origin", _offset)}
-_DRAWS = {
-    "sequences": Wanted("a list of sequences of evaders' numbers", _sequences),
-    "weights": Wanted("a list of finite numbers >= 0", _weights),
-}
-_SEQUENCE = {"sequence": Wanted("a list of evaders' numbers", _sequence)}
+_STARTS = {"starts": AtLeastOne}
+_RESTARTS = {"restarts": Whole}
+_REPLAN_TIME = {"replan_time": NotNegative}
+_MARGIN = {"margin": Margin}
+_OFFSET = {"offset": Offset}
+_DRAWS = {"sequences": Sequences, "weights": Weights}
+_SEQUENCE = {"sequence": Sequence}
 
 EVADERS = {
     "open-loop": Entry(OpenLoop, _STARTS),
@@ -120,55 +105,48 @@ OBJECTIVES = {
 }
 
 
-def strategy_mistakes(place: Place, value: object, known: Mapping[str, Entry]) -> Iterator[Mistake]:
-    """Find all mistakes of a strategy or objective, given by name or by a table with its name."""
-    if not isinstance(value, str | dict):
-        wanted = "a name, or a table with a name and parameters"
-        yield Mistake(place, wanted_but_got(wanted, value))
-        return
-    name, given = name_and_parameters(value)
-    if not isinstance(name, str) or name not in known:
-        where = (*place, "name") if isinstance(value, dict) else place
-        wanted = "one of " + ", ".join(f'"{each}"' for each in known)
-        came = "nothing" if name is None else toml_text(name)
-        yield Mistake(where, f"expected {wanted}, got {came}{did_you_mean(name, known)}")
-        return
-    yield from _parameter_mistakes(place, known[name], given)
+@dataclass(frozen=True, eq=False)
+class Named:
+    """A type of value: one of the entries, by name or by a table, or a value of one's own."""
+
+    known: Mapping[str, Entry]
+
+    @cached_property
+    def tables(self) -> dict[str, type[Section]]:
+        """The model of the table of each name."""
+        return {name: entry.table(name) for name, entry in self.known.items()}
+
+    def __get_pydantic_core_schema__(
+        self, _source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        """Make pydantic read values of this type with `read` alone."""
+        written = reduce(or_, self.tables.values(), Literal[tuple(self.known)])
+        return core_schema.no_info_plain_validator_function(
+            self.read, json_schema_input_schema=handler.generate_schema(written)
+        )
+
+    def read(self, value: Any) -> Any:
+        """Return the strategy or objective; raise all mistakes of its table."""
+        if not isinstance(value, str | dict):
+            if callable(value) or hasattr(value, "describe") or hasattr(value, "start"):
+                return value
+            raise wanted("a name, or a table with a name and parameters")
+        name, given = _split(value)
+        if not isinstance(name, str) or name not in self.known:
+            raise self._unknown(name, isinstance(value, dict))
+        self.tables[name].model_validate({**given, "name": name})
+        return self.known[name].make(**given)
+
+    def _unknown(self, name: object, in_table: bool) -> ValidationError:
+        context = {"words": one_of_words(self.known), "known": list(self.known)}
+        error = PydanticCustomError(UNKNOWN_NAME, "{words}", context)
+        where = ("name",) if in_table else ()
+        details = InitErrorDetails(type=error, loc=where, input=name)
+        return ValidationError.from_exception_data("name", [details])
 
 
-def _parameter_mistakes(
-    place: Place, entry: Entry, given: Mapping[str, object]
-) -> Iterator[Mistake]:
-    for key, value in given.items():
-        wanted = entry.parameters.get(key)
-        if wanted is None:
-            yield unknown_key((*place, key), ["name", *entry.parameters])
-        elif wanted.read(value) is None:
-            yield Mistake((*place, key), wanted_but_got(wanted.words, value))
-    for field in fields(entry.make):  # type: ignore[arg-type]
-        if field.default is MISSING and field.name not in given:
-            wanted = entry.parameters[field.name]
-            yield Mistake((*place, field.name), f"missing; expected {wanted.words}")
-
-
-def name_and_parameters(value: str | dict[str, Any]) -> tuple[object, dict[str, Any]]:
-    """Split what stands in the file."""
+def _split(value: str | dict[str, Any]) -> tuple[object, dict[str, Any]]:
+    """Return the name and the parameters."""
     if isinstance(value, str):
         return value, {}
     return value.get("name"), {key: each for key, each in value.items() if key != "name"}
-
-
-def misfits_of_parameters(
-    place: Place, value: str | dict[str, Any], known: Mapping[str, Entry]
-) -> Iterator[Mistake]:
-    """Find what doesn't fit together among parameters that are right by themselves."""
-    try:
-        make_strategy(value, known)
-    except InputError as error:
-        yield Mistake(place, str(error))
-
-
-def make_strategy(value: str | dict[str, Any], known: Mapping[str, Entry]) -> Any:
-    """Make the strategy or objective of a file without mistakes."""
-    name, given = name_and_parameters(value)
-    return known[str(name)].make(**given)

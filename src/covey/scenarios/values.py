@@ -1,39 +1,130 @@
-"""The values that stand in a scenario file: numbers with a range, angles, points.
+"""The values that stand in scenario and study files: numbers with a range, angles, points, words.
 
-Each kind says in words what it wants, so that every mistake can be answered in the same way.
+Each type of value says in words what is wanted, so that every mistake is answered in the same way.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal, TypeVar
 
-from pydantic_core import CoreSchema, PydanticCustomError, core_schema
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    ValidationError,
+)
+from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
+
+from covey.kernels.minimum.last_capture import MOST_EVADERS
+from covey.model import InputError
 
 WANTED = "wanted"
-"""Type of the errors raised here; their message is what was wanted."""
+"""Type of the error of a value; its context gives `words`, what was wanted."""
+UNKNOWN_NAME = "unknown_name"
+"""Type of the error of a name; its context gives the names `known` too."""
 
 
-@dataclass(frozen=True)
-class Wanted:
-    """A kind of value: what it is in words, and a function that reads one or returns None."""
+class Section(BaseModel):
+    """A table of a file; unknown keys are mistakes."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+def wanted(words: str) -> PydanticCustomError:
+    """Return the error of a value that isn't what was wanted."""
+    # Braces in the message itself would be taken for a place in a template.
+    return PydanticCustomError(WANTED, "{words}", {"words": words})
+
+
+def one_of_words(allowed: Iterable[str]) -> str:
+    """Return in words that one of these names is wanted."""
+    return "one of " + ", ".join(f'"{name}"' for name in allowed)
+
+
+@dataclass(frozen=True, eq=False)
+class ValueType:
+    """A type of value: in words, and a function that reads a value or returns None.
+
+    `written` is what may stand in the file where that is more than the values read.
+    """
 
     words: str
-    read: Callable[[object], object | None]
+    read: Callable[[Any], object | None]
+    written: Any = None
 
-    def __get_pydantic_core_schema__(self, _source: Any, _handler: Any) -> CoreSchema:
-        """Make pydantic read values of this kind with `read` alone."""
-        return core_schema.no_info_plain_validator_function(self._check)
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        """Make pydantic read values of this type with `read` alone."""
+        written = handler.generate_schema(self.written or source)
+        return core_schema.no_info_plain_validator_function(
+            self._check, json_schema_input_schema=written
+        )
 
-    def _check(self, value: object) -> object:
-        result = self.read(value)
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        """Describe the type in words too."""
+        return {**handler(schema), "description": self.words}
+
+    def _check(self, value: Any) -> object:
+        plain = value.item() if getattr(value, "ndim", None) == 0 else value  # a NumPy number
+        result = self.read(plain)
         if result is None:
-            # Braces would be taken for a place in a template.
-            raise PydanticCustomError(WANTED, "{words}", {"words": self.words})
+            raise wanted(self.words)
         return result
+
+
+def is_single(value: object) -> bool:
+    """Tell a single value from a list of values."""
+    return isinstance(value, str | Mapping) or not isinstance(value, Iterable)
+
+
+def _as_several(value: Any) -> tuple[Any, ...]:
+    values = (value,) if is_single(value) else tuple(value)
+    if not values:
+        raise wanted("a value or a list of values")
+    return values
+
+
+def _require_different(values: tuple[Any, ...]) -> tuple[Any, ...]:
+    twice = [index for index, value in enumerate(values) if value in values[:index]]
+    if twice:
+        error = {"error": InputError("given twice")}
+        details = [
+            InitErrorDetails(type="value_error", loc=(index,), input=values[index], ctx=error)
+            for index in twice
+        ]
+        raise ValidationError.from_exception_data("list", details)
+    return values
+
+
+class _SingleToo:
+    """Lets the JSON schema of a list accept one value instead."""
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        several = handler(schema)
+        return {"anyOf": [several["items"], several]}
+
+
+_Value = TypeVar("_Value")
+
+OneOrMany = Annotated[
+    tuple[_Value, ...],
+    BeforeValidator(_as_several),
+    AfterValidator(_require_different),
+    _SingleToo(),
+]
+"""One value, or a list of different ones."""
 
 
 def as_number(value: object) -> float | None:
@@ -74,7 +165,7 @@ def _heading(value: object) -> float | str | None:
 
 def as_point(value: object) -> tuple[float, float] | None:
     """Return (x, y) for a list of two finite numbers, or None."""
-    if not isinstance(value, list) or len(value) != 2:
+    if not isinstance(value, list | tuple) or len(value) != 2:
         return None
     x, y = (_within(as_number(part), -math.inf, math.inf) for part in value)
     return None if x is None or y is None else (x, y)
@@ -95,9 +186,8 @@ def as_not_negative(value: object) -> float | None:
     return _within(as_number(value), 0.0, math.inf)
 
 
-def _rate(value: object) -> float | None:
-    rate = as_angle(value)
-    return rate if rate is not None and rate >= 0.0 else None
+def _at_least_zero(value: float | None) -> float | None:
+    return value if value is not None and value >= 0.0 else None
 
 
 def _duration(value: object) -> float | None:
@@ -109,18 +199,79 @@ def as_whole(value: object) -> int | None:
     return value if isinstance(value, int) and not isinstance(value, bool) and value >= 0 else None
 
 
-def one_of(*allowed: str) -> Wanted:
-    """Return the kind of value that is one of these words."""
-    words = "one of " + ", ".join(f'"{name}"' for name in allowed)
-    return Wanted(words, lambda value: value if value in allowed else None)
+def _team_size(value: object) -> int | None:
+    size = as_whole(value)
+    return size if size is not None and 1 <= size <= MOST_EVADERS else None
+
+
+def as_sequence(value: object) -> list[int] | None:
+    """Return a list of whole numbers >= 0, or None."""
+    return _list_of(as_whole, value)
+
+
+def _list_of(read: Callable[[object], object | None], value: object) -> list[Any] | None:
+    """Return a list as it stands if `read` accepts each part, or None."""
+    if not isinstance(value, list) or any(read(part) is None for part in value):
+        return None
+    return value
+
+
+def _sequences(value: object) -> list[list[int]] | None:
+    return _list_of(lambda part: as_sequence(part) or None, value) or None
+
+
+def _offset(value: object) -> tuple[float, float] | None:
+    point = as_point(value)
+    return point if point is not None and math.hypot(*point) <= 1.0 else None
+
+
+def one_of(*allowed: str) -> ValueType:
+    """Return the type of value that is one of these words."""
+    return ValueType(
+        one_of_words(allowed),
+        lambda value: value if value in allowed else None,
+        written=Literal[allowed],
+    )
 
 
 _ANGLE = 'radians, or a string such as "90 deg" or "pi/2"'
 
-Positive = Annotated[float, Wanted("a finite number > 0", as_positive)]
-NotNegative = Annotated[float, Wanted("a finite number >= 0", as_not_negative)]
-Duration = Annotated[float, Wanted("a number > 0 (inf: no limit)", _duration)]
-Whole = Annotated[int, Wanted("a whole number >= 0", as_whole)]
-Point = Annotated[tuple[float, float], Wanted("a point [x, y] of two numbers", as_point)]
-Heading = Annotated[float | str, Wanted(f'a heading: {_ANGLE}, or "{AWAY}"', _heading)]
-Rate = Annotated[float, Wanted(f"a turn rate >= 0: {_ANGLE} (inf is allowed)", _rate)]
+Positive = Annotated[float, ValueType("a finite number > 0", as_positive)]
+NotNegative = Annotated[float, ValueType("a finite number >= 0", as_not_negative)]
+Margin = Annotated[
+    float,
+    ValueType("a number >= 0 (inf is allowed)", lambda value: _at_least_zero(as_number(value))),
+]
+Duration = Annotated[float, ValueType("a number > 0 (inf: no limit)", _duration)]
+Whole = Annotated[int, ValueType("a whole number >= 0", as_whole)]
+AtLeastOne = Annotated[int, ValueType("a whole number >= 1", lambda value: as_whole(value) or None)]
+TeamSize = Annotated[int, ValueType(f"a whole number from 1 to {MOST_EVADERS}", _team_size)]
+Flag = Annotated[
+    bool,
+    ValueType("true or false", lambda value: value if isinstance(value, bool) else None),
+]
+FileName = Annotated[
+    str,
+    ValueType("the name of a file", lambda value: value if isinstance(value, str) else None),
+]
+Point = Annotated[tuple[float, float], ValueType("a point [x, y] of two numbers", as_point)]
+Offset = Annotated[
+    tuple[float, float], ValueType("a point [x, y] at most 1 from the origin", _offset)
+]
+Heading = Annotated[float | str, ValueType(f'a heading: {_ANGLE}, or "{AWAY}"', _heading)]
+Rate = Annotated[
+    float,
+    ValueType(
+        f"a turn rate >= 0: {_ANGLE} (inf is allowed)",
+        lambda value: _at_least_zero(as_angle(value)),
+        written=float | str,
+    ),
+]
+Sequence = Annotated[list[int], ValueType("a list of evaders' numbers", as_sequence)]
+Sequences = Annotated[
+    list[list[int]], ValueType("a list of sequences of evaders' numbers", _sequences)
+]
+Weights = Annotated[
+    list[float],
+    ValueType("a list of finite numbers >= 0", lambda value: _list_of(as_not_negative, value)),
+]

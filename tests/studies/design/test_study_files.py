@@ -68,7 +68,7 @@ def test_all_mistakes_of_a_file_are_told_at_once(tmp_path):
         "8 mistakes",
         "starts: expected a whole number >= 1, got 0",
         'sed: unknown key; did you mean "seed"?',
-        "speed: unknown key here; it belongs to [grid]",
+        'speed: unknown key; did you mean "seed"?; "speed" belongs to [grid]',
         'sampler.name: expected one of "square"',
         "grid.team_size[1]: expected a whole number from 1 to 20, got 40",
         "grid.turn_rate[1]: given twice",
@@ -81,9 +81,10 @@ def test_all_mistakes_of_a_file_are_told_at_once(tmp_path):
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"speed": [0.1, 1.0]}, "expected every evader to be slower than every pursuer"),
+        ({"speed": [0.1, 1.0]}, "expected every evader to be slower than the pursuer"),
         ({"team_size": []}, "expected a value or a list of values"),
         ({"pursuer": covey.FixedSequence([0, 1])}, "expected a sequence of all 5 evaders"),
+        ({"pursuer": iter([{"name": "committed", "margn": 1}])}, r"pursuer\[0\].margn: unknown"),
         ({"evaders": 3}, "evaders: expected a name, or a table"),
         ({"objective": "totl-survival"}, 'did you mean "total-survival"'),
         (

@@ -15,7 +15,7 @@ from rich.table import Table
 from covey import views
 from covey.cli.shared.outputs import check_folder, save_picture, write_csv
 from covey.model.validation import whole_number
-from covey.studies.analysis.yardstick import SPEEDS, Change, YardstickRow, Yardstick, measure
+from covey.studies.analysis.yardstick import SPEEDS, Change, Yardstick, YardstickRow, measure
 
 
 def yardstick(

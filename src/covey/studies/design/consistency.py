@@ -10,19 +10,16 @@ from covey.model import InputError
 from covey.model.objectives import distribution_of
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.players import FixedSequence, KnownSequence, RandomSequence
-from covey.scenarios.mistakes import Mistake, Place
+from covey.scenarios.consistency import too_fast
+from covey.scenarios.mistakes import KeyPath, Mistake
 from covey.studies.design.start_table import FromFile
 
 
-def misfits(values: Mapping[str, Any]) -> Iterator[Mistake]:
-    """Find what doesn't fit together, among values that are right by themselves."""
+def inconsistencies(values: Mapping[str, Any]) -> Iterator[Mistake]:
+    """Find what doesn't fit together among the values of all fields, each right by itself."""
     fastest, slowest = max(values["speed"]), min(values["pursuer_speed"])
     if fastest >= slowest:
-        text = (
-            f"expected every evader to be slower than every pursuer ({slowest:g}), or it could "
-            f"flee for ever; got {fastest:g}"
-        )
-        yield Mistake(("speed",), text)
+        yield too_fast(("grid", "speed"), fastest, slowest)
     yield from _sequences(values)
     yield from _objectives(values)
     yield from _files(values)
@@ -37,16 +34,16 @@ def _sequences(values: Mapping[str, Any]) -> Iterator[Mistake]:
                     f"expected a sequence of all {size} evaders of a team, got "
                     f"{list(strategy.sequence)}; a study of several team sizes has no common one"
                 )
-                yield Mistake((side, index, "sequence"), text)
+                yield Mistake(("grid", side, index, "sequence"), text)
             if isinstance(strategy, RandomSequence) and strategy.sequences is not None:
-                yield from _draws((side, index), strategy, size)
+                yield from _draws(("grid", side, index), strategy, size)
 
 
-def _draws(place: Place, strategy: RandomSequence, size: int) -> Iterator[Mistake]:
+def _draws(path: KeyPath, strategy: RandomSequence, size: int) -> Iterator[Mistake]:
     try:
         distribution_of("RandomSequence", strategy.sequences, strategy.weights, size)
     except InputError as error:
-        yield Mistake(place, str(error))
+        yield Mistake(path, str(error))
 
 
 def _objectives(values: Mapping[str, Any]) -> Iterator[Mistake]:
@@ -54,7 +51,7 @@ def _objectives(values: Mapping[str, Any]) -> Iterator[Mistake]:
         try:
             compiled_objective(checked_objective(objective), size)
         except InputError as error:
-            yield Mistake(("objective", index), str(error))
+            yield Mistake(("grid", "objective", index), str(error))
 
 
 def _files(values: Mapping[str, Any]) -> Iterator[Mistake]:
@@ -67,4 +64,4 @@ def _files(values: Mapping[str, Any]) -> Iterator[Mistake]:
     largest = max(values["team_size"])
     if sampler.all.smallest_team < largest:
         text = f"expected at most {sampler.all.smallest_team}, the evaders of the smallest start in"
-        yield Mistake(("team_size",), f"{text} {sampler.path}, got {largest}")
+        yield Mistake(("grid", "team_size"), f"{text} {sampler.path}, got {largest}")

@@ -132,8 +132,8 @@ def _columns(file: Path) -> tuple[Floats, Floats]:
             f"{file}: expected columns start, x, y, and perhaps heading; "
             f"{', '.join(missing)} missing"
         )
-    places = np.column_stack([columns["x"], columns["y"]])
-    rows = np.column_stack([places, columns.get("heading", away_from((0.0, 0.0), places))])
+    positions = np.column_stack([columns["x"], columns["y"]])
+    rows = np.column_stack([positions, columns.get("heading", away_from((0.0, 0.0), positions))])
     if not np.isfinite(rows).all():
         raise InputError(f"{file}: expected finite numbers everywhere")
     return columns["start"], rows

@@ -18,8 +18,6 @@ from covey.scenarios.samplers import Sampler, Square
 from covey.simulation import PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStrategy
 from covey.simulation.strategy import description
 from covey.studies.design.as_visible import AsVisible
-from covey.studies.design.consistency import misfits
-from covey.studies.design.fields import FIELDS
 from covey.studies.design.start_table import FromFile
 
 AnyTeam = TeamStrategy | TeamPolicy
@@ -45,7 +43,7 @@ class Case(NamedTuple):
 GRID = Case._fields
 
 
-class Start(NamedTuple):
+class InitialState(NamedTuple):
     """Where a team starts, and the seed of the searches for its plans."""
 
     positions: Any  # (N, 2)
@@ -107,14 +105,17 @@ class Study:
 
     def __post_init__(self) -> None:
         """Check all fields, and make each of the grid a tuple."""
-        mistakes = []
-        for field in fields(self):
-            value, found = FIELDS[field.name].read((field.name,), getattr(self, field.name))
-            mistakes += found
-            object.__setattr__(self, field.name, value)
-        mistakes = mistakes or list(misfits({f.name: getattr(self, f.name) for f in fields(self)}))
+        # Imported here: the study of a worker is checked already, and needs no pydantic.
+        from covey.studies.design.fields import read_fields
+
+        given = {field.name: getattr(self, field.name) for field in fields(self)}
+        grid = {name: _kept(given.pop(name)) for name in GRID}
+        values, mistakes = read_fields({**given, "grid": grid})
         if mistakes:
-            raise InputError("study: " + "\n  ".join(map(str, mistakes)))
+            lines = [str(mistake).removeprefix("grid.") for mistake in mistakes]
+            raise InputError("study: " + "\n  ".join(lines))
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
 
     @cached_property
     def cases(self) -> tuple[Case, ...]:
@@ -126,12 +127,12 @@ class Study:
         """How many games are played; game i is start i // len(cases) in case i % len(cases)."""
         return self.starts * len(self.cases)
 
-    def start(self, number: int, team_size: int) -> Start:
+    def start(self, number: int, team_size: int) -> InitialState:
         """Draw a start; the same, whatever else is drawn."""
         layout, search = np.random.SeedSequence(self.seed, spawn_key=(number,)).spawn(2)
         generator = np.random.default_rng(layout)
         positions, headings = self.sampler.draw(number, team_size, generator)
-        return Start(positions, headings, int(search.generate_state(1)[0]))
+        return InitialState(positions, headings, int(search.generate_state(1)[0]))
 
     def only(self, first: int, last: int) -> Study:
         """Return what a worker needs to play the starts from `first` up to `last`."""
@@ -142,12 +143,17 @@ class Study:
     def describe(self) -> dict[str, Any]:
         """Return all that the games follow from, as a study file gives it."""
         own = [field.name for field in fields(self) if field.name not in GRID]
-        described = {name: _plain(getattr(self, name)) for name in own}
-        described["grid"] = {name: [_plain(v) for v in getattr(self, name)] for name in GRID}
+        described = {name: plain(getattr(self, name)) for name in own}
+        described["grid"] = {name: [plain(v) for v in getattr(self, name)] for name in GRID}
         return described
 
 
-def game_of(case: Case, start: Start) -> tuple[Team, PursuerDisk]:
+def _kept(value: object) -> object:
+    """List what an iterator gives: mistakes are looked up in the values a second time."""
+    return list(value) if isinstance(value, Iterator) else value
+
+
+def game_of(case: Case, start: InitialState) -> tuple[Team, PursuerDisk]:
     """Return the state of a game at time 0."""
     return (
         Team(start.positions, start.headings, case.speed, case.turn_rate),
@@ -155,14 +161,15 @@ def game_of(case: Case, start: Start) -> tuple[Team, PursuerDisk]:
     )
 
 
-def _plain(value: object) -> object:
-    if value is None or isinstance(value, bool | int | float | str):
+def plain(value: object) -> object:
+    """Return a value of a field as a study file gives it."""
+    if value is None or isinstance(value, bool | int | float | str | tuple):
         return value
     return dict(description(value))
 
 
 def flattened(tree: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
-    """Return the leaves of nested tables by their places: ("grid.speed", [0.25])."""
+    """Return the leaves of nested tables by their paths: ("grid.speed", [0.25])."""
     for key, value in tree.items():
         if isinstance(value, Mapping):
             yield from flattened(value, f"{prefix}{key}.")

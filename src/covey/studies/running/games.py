@@ -9,7 +9,7 @@ from covey.model import PursuerDisk, Team
 from covey.players import simulate, survival
 from covey.simulation import Game, Outcome
 from covey.studies.design.as_visible import AsVisible
-from covey.studies.design.study import Case, Start, Study, game_of
+from covey.studies.design.study import Case, InitialState, Study, game_of
 
 
 class StudyGame(NamedTuple):
@@ -18,7 +18,7 @@ class StudyGame(NamedTuple):
     number: int
     case: int
     start: int
-    origin: Start
+    origin: InitialState
     outcome: Outcome
     record: Game | None  # None unless the study stores trajectories
 
@@ -55,7 +55,7 @@ def play_start(study: Study, number: int) -> Iterator[StudyGame]:
 
 
 def _play(
-    case: Case, start: Start, visible: dict[tuple[Any, ...], Outcome], recorded: bool
+    case: Case, start: InitialState, visible: dict[tuple[Any, ...], Outcome], recorded: bool
 ) -> tuple[Outcome, Game | None]:
     """Play a game; `visible` holds the outcomes of visible games of this start, and gets new ones.
 
@@ -86,7 +86,7 @@ def _without_sensing(case: Case) -> tuple[Any, ...]:
     return tuple(values.values())
 
 
-def _play_as(case: Case, start: Start, recorded: bool) -> tuple[Outcome, Game | None]:
+def _play_as(case: Case, start: InitialState, recorded: bool) -> tuple[Outcome, Game | None]:
     arguments: dict[str, Any] = {
         "evaders": case.evaders,
         "pursuer": case.pursuer,
