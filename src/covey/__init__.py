@@ -9,6 +9,7 @@ Hidden Pursuer", ICRA 2014.
 
 from __future__ import annotations
 
+import warnings
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -42,10 +43,10 @@ if TYPE_CHECKING:
     from covey.players import LargestDistance as LargestDistance
     from covey.players import NearestFirst as NearestFirst
     from covey.players import OpenLoop as OpenLoop
-    from covey.players import PatientPursuer as PatientPursuer
     from covey.players import RandomSequence as RandomSequence
     from covey.players import SmallestDanger as SmallestDanger
     from covey.players import StraightAway as StraightAway
+    from covey.players import UncommittedPursuer as UncommittedPursuer
     from covey.players import WorstCase as WorstCase
     from covey.players import simulate as simulate
     from covey.players import worst_case as worst_case
@@ -94,10 +95,10 @@ _ROOMS = {
         "LargestDistance",
         "NearestFirst",
         "OpenLoop",
-        "PatientPursuer",
         "RandomSequence",
         "SmallestDanger",
         "StraightAway",
+        "UncommittedPursuer",
         "WorstCase",
         "simulate",
         "worst_case",
@@ -127,6 +128,10 @@ def __getattr__(name: str) -> object:
         return version("covey")
     if name == "envs":  # the one room that is used by its name; it needs covey[env]
         return import_module("covey.envs")
+    if name == "PatientPursuer":  # for one release
+        note = "covey.PatientPursuer is now called covey.UncommittedPursuer"
+        warnings.warn(note, DeprecationWarning, stacklevel=2)
+        name = "UncommittedPursuer"
     if name not in _HOME:
         raise AttributeError(f"module 'covey' has no attribute {name!r}")
     value = getattr(import_module(_HOME[name]), name)

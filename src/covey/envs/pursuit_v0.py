@@ -66,9 +66,9 @@ one side: any that comes with the package, or a function of a `covey.Situation`.
 starts is the environment's, also if its strategy has a `place`. `PursuerEnv` plays against
 iterative open loop, `TeamEnv` against the committed pursuer, unless told otherwise. Batches play
 compiled, against `covey.IterativeOpenLoop`, `covey.OpenLoop`, `covey.CommittedPursuer`,
-`covey.PatientPursuer`, `covey.FixedSequence`, `covey.BestSequence`, `covey.RandomSequence`. They
-begin a game anew in the step that ends it (Gymnasium's ``SAME_STEP``), and game b with seed s is
-the game of the single view with seed s + b.
+`covey.UncommittedPursuer`, `covey.FixedSequence`, `covey.BestSequence`, `covey.RandomSequence`.
+They begin a game anew in the step that ends it (Gymnasium's ``SAME_STEP``), and game b with seed s
+is the game of the single view with seed s + b.
 
 **Starts** are drawn. ``reset(options={"positions": (N, 2), "headings": (N,)})`` gives one; without
 headings they are drawn as `Setup` says.

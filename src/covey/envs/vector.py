@@ -100,7 +100,7 @@ class TeamVectorEnv(Games):
     num_envs
         B games.
     pursuer
-        One that follows sequences: `CommittedPursuer`, `PatientPursuer`, `FixedSequence`,
+        One that follows sequences: `CommittedPursuer`, `UncommittedPursuer`, `FixedSequence`,
         `BestSequence`, `RandomSequence`.
     **setup
         Fields of `Setup`: the game.

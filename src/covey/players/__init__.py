@@ -1,7 +1,11 @@
-"""Strategies that come with the package, and `simulate`, which plays them."""
+"""The strategies that come with the package, and the functions that play them.
+
+Teams and pursuers stand in rooms of their own; neither knows how a game is played. Read `teams` and
+`pursuers`, then `compiled` (games played by the kernels), `simulate` and `worst_case`.
+"""
 
 from covey.players.outcome import Outcome, survival
-from covey.players.pursuers.committed import CommittedPursuer, FlyingPursuer, PatientPursuer
+from covey.players.pursuers.committed import CommittedPursuer, FlyingPursuer, UncommittedPursuer
 from covey.players.pursuers.delayed import DelayedSequence
 from covey.players.pursuers.downhill import DownhillPursuer
 from covey.players.pursuers.fixed_order import BestSequence, FixedSequence, RandomSequence
@@ -30,10 +34,10 @@ __all__ = [
     "NearestFirst",
     "OpenLoop",
     "Outcome",
-    "PatientPursuer",
     "RandomSequence",
     "SmallestDanger",
     "StraightAway",
+    "UncommittedPursuer",
     "WorstCase",
     "WorstCaseScope",
     "simulate",

@@ -10,14 +10,14 @@ from covey.model import LastCapture, Objective, PursuerDisk, Team
 from covey.model.validation import Floats, Ints
 from covey.planning import Plan, plan
 from covey.planning.guarantee import check_game, longest_game
-from covey.players.pursuers.committed import CommittedPursuer, PatientPursuer
+from covey.players.pursuers.committed import CommittedPursuer
 from covey.players.pursuers.fixed_order import BestSequence, FixedSequence, RandomSequence
 from covey.players.teams.open_loop import IterativeOpenLoop, OpenLoop, first_memory
 from covey.simulation import Settings
 from covey.simulation.settings import first_state
 
 BuiltInTeam = OpenLoop | IterativeOpenLoop
-BuiltInPursuer = CommittedPursuer | PatientPursuer | FixedSequence | BestSequence | RandomSequence
+BuiltInPursuer = CommittedPursuer | FixedSequence | BestSequence | RandomSequence
 
 
 class Played(NamedTuple):

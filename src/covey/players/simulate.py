@@ -56,10 +56,10 @@ def simulate(
         A game is stopped then. None: by when a pursuer that kept to one sequence would have
         captured everybody, whatever the team did.
     objective
-        What the team makes large and the pursuer small, where their strategies mind: `OpenLoop`,
-        `IterativeOpenLoop` and `ConstantHeading` (see `covey.plan`), `CommittedPursuer`,
-        `PatientPursuer` and `FlyingPursuer`. A pursuer doesn't reckon with expectations: it makes
-        small what is measured.
+        What the team maximises and the pursuer minimises. These strategies use the objective:
+        `OpenLoop`, `IterativeOpenLoop` and `ConstantHeading` (see `covey.plan`),
+        `CommittedPursuer`, `UncommittedPursuer` and `FlyingPursuer`. A pursuer minimises what is
+        measured, not its expectation.
 
     Returns
     -------

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import covey
-from covey.players.teams.replan_interval import paced
+from covey.players.teams.replan_interval import at_interval
 from random_games import random_game
 
 REPLANNING = [
@@ -31,7 +31,7 @@ def test_at_its_pace_and_at_captures():
         asked.append(situation.time)
         return situation.turns
 
-    evaders, pursuer = paced(plan, 0.3), covey.FixedSequence([0, 1])
+    evaders, pursuer = at_interval(plan, 0.3), covey.FixedSequence([0, 1])
     covey.simulate(
         team, covey.PursuerDisk(), evaders=evaders, pursuer=pursuer, update_time=0.1, time_limit=1.2
     )

@@ -19,7 +19,7 @@ _AHEAD = 0.02
 """Length of the look-ahead, as a share of the value and of the time to the nearer evader."""
 
 _WORTH_CHASING = 1e-4
-"""To fly at an evader is exact: preferred up to this loss of value, as a share of the step's time."""
+"""Loss of value, as a share of the step's time, up to which a chase is preferred: it is exact."""
 
 
 @dataclass(frozen=True, eq=False)
