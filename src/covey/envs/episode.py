@@ -15,8 +15,8 @@ from covey.simulation import PursuerStrategy, TeamStrategy
 from covey.simulation.information import (
     checked_decision,
     checked_turns,
-    told_to_pursuer,
-    told_to_team,
+    pursuer_information,
+    team_information,
 )
 from covey.simulation.strategy import PursuerPolicy, TeamPolicy, policy_of
 
@@ -130,8 +130,8 @@ class Episode:
 
     def _decided(self, decide: PursuerPolicy) -> tuple[int, Velocity]:
         """Return the row that the pursuer makes for, or NOBODY, and its velocity."""
-        known = told_to_team(self.state, self._disk)
-        decision = decide(told_to_pursuer(known, self.state, flies=True))
+        known = team_information(self.state, self._disk)
+        decision = decide(pursuer_information(known, self.state, flies=True))
         _, target, velocity = checked_decision(decision, known.evaders, self._disk, flies=True)
         return target, velocity
 
@@ -141,5 +141,5 @@ class Episode:
         return seen
 
     def _announce_plan(self, plan_of: TeamPolicy) -> None:
-        turns = plan_of(told_to_team(self.state, self._disk))
+        turns = plan_of(team_information(self.state, self._disk))
         self.state.turns[: len(self.living)] = checked_turns(turns, len(self.living))

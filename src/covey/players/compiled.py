@@ -4,30 +4,32 @@ from __future__ import annotations
 
 from typing import NamedTuple, TypeGuard
 
-from covey.kernels.maximum.multistart import search_scratch
+from covey.kernels.maximum.multistart import SearchScratch, search_scratch
 from covey.kernels.play import game
+from covey.kernels.play.policy import TeamMemory, TeamPolicy
+from covey.kernels.play.rules import State
 from covey.model import LastCapture, Objective, PursuerDisk, Team
-from covey.model.validation import Floats, Ints
 from covey.planning import Plan, plan
 from covey.planning.guarantee import check_game, longest_game
 from covey.players.pursuers.committed import CommittedPursuer
 from covey.players.pursuers.fixed_order import BestSequence, FixedSequence, RandomSequence
 from covey.players.teams.open_loop import IterativeOpenLoop, OpenLoop, first_memory
 from covey.simulation import Settings
-from covey.simulation.settings import first_state
+from covey.simulation.build_record import Played
+from covey.simulation.settings import GameSetup, first_state
 
 BuiltInTeam = OpenLoop | IterativeOpenLoop
 BuiltInPursuer = CommittedPursuer | FixedSequence | BestSequence | RandomSequence
 
 
-class Played(NamedTuple):
-    """What comes out of a compiled game."""
+class InitialGame(NamedTuple):
+    """A compiled game at time 0, with the team's first plan announced."""
 
-    plan: Plan  # the first
-    order: Ints  # (C,) the captured
-    times: Floats  # (C,)
-    pages: game.Pages
-    written: int  # pages; none unless the game was recorded
+    plan: Plan
+    state: State
+    policy: TeamPolicy
+    memory: TeamMemory
+    scratch: SearchScratch
 
 
 def team_is_built_in(evaders: object) -> TypeGuard[BuiltInTeam]:
@@ -55,6 +57,20 @@ def checked_settings(
     return Settings(sensing, update_time, seed, limit, objective)
 
 
+def initial_game(
+    team: Team, disk: PursuerDisk, evaders: BuiltInTeam, settings: Settings
+) -> InitialGame:
+    """Make the team's first plan, and what its game is played on."""
+    policy = evaders.compiled()
+    first = plan(
+        team, disk, objective=settings.objective, seed=settings.seed, starts=evaders.starts
+    )
+    memory = first_memory(first, settings.seed, policy.restarts)
+    state = first_state(team, disk)
+    state.turns[:] = first.turns
+    return InitialGame(first, state, policy, memory, search_scratch(len(team), memory.aim.total))
+
+
 def play_compiled(
     team: Team,
     disk: PursuerDisk,
@@ -64,24 +80,14 @@ def play_compiled(
     *,
     recorded: bool,
 ) -> Played:
-    """Play a game; with `recorded`, write a page at every decision."""
-    n, policy = len(team), evaders.compiled()
-    margin, sequence, known = pursuer.commitment(team, disk, settings.seed)
-    first = plan(
-        team, disk, objective=settings.objective, seed=settings.seed, starts=evaders.starts
+    """Play a game; if `recorded`, its log has a row for every decision."""
+    strategies = {"evaders": evaders.describe(), "pursuer": pursuer.describe()}
+    setup = GameSetup(team, disk, settings, strategies)
+    commitment = pursuer.commitment(team, disk, settings.seed)
+    first, state, policy, memory, scratch = initial_game(team, disk, evaders, settings)
+    captured, order, times, rows, log = game.play(
+        state, settings.rules(disk), policy, memory, *commitment, recorded, scratch
     )
-    memory = first_memory(first, settings.seed, policy.restarts)
-    state = first_state(team, disk)
-    state.turns[:] = first.turns
-    captured, order, times, count, pages = game.play(
-        state,
-        settings.rules(disk),
-        policy,
-        memory,
-        margin,
-        sequence,
-        known,
-        recorded,
-        search_scratch(n, memory.aim.total),
+    return Played(
+        setup, first.survival_time, first.value, order[:captured], times[:captured], log, rows
     )
-    return Played(first, order[:captured], times[:captured], pages, count)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from covey.model import LastCapture, Objective, PursuerDisk, Team
 from covey.players.compiled import (
     checked_settings,
@@ -15,13 +13,16 @@ from covey.players.pursuers.committed import CommittedPursuer
 from covey.players.teams.open_loop import IterativeOpenLoop
 from covey.simulation import (
     Game,
+    Outcome,
     PursuerPolicy,
     PursuerStrategy,
+    Settings,
     TeamPolicy,
     TeamStrategy,
-    play,
 )
-from covey.simulation.build_record import assemble
+from covey.simulation.build_record import Played, build_record, outcome_of
+from covey.simulation.loop import play_out
+from covey.simulation.match import Match
 
 
 def simulate(
@@ -49,12 +50,12 @@ def simulate(
         "hidden": the team knows a disk that grows at the pursuer's speed and collapses at each
         capture. "visible": it sees the pursuer at every update.
     update_time
-        Δt > 0 between updates; a capture brings one at once.
+        Δt > 0 between updates; a capture brings an update at once.
     seed
         The same call with the same seed gives the same game, bit for bit.
     time_limit
-        A game is stopped then. None: by when a pursuer that kept to one sequence would have
-        captured everybody, whatever the team did.
+        Time at which a game is stopped. None: the time by which a pursuer that keeps to any one
+        sequence has captured everybody, whatever the team does.
     objective
         What the team maximises and the pursuer minimises. These strategies use the objective:
         `OpenLoop`, `IterativeOpenLoop` and `ConstantHeading` (see `covey.plan`),
@@ -64,19 +65,52 @@ def simulate(
     Returns
     -------
     Game
-        `planned_value` is what the first plan made of the objective, `value` what came of it;
-        `guarantee` and `survival_time` for the last capture.
+        `planned_value` is the value of the objective by the first plan, `value` the value that was
+        reached; `guarantee` and `survival_time` are the same for the last capture.
 
     Raises
     ------
     InputError
-        If an argument can't be used, or a strategy decides what it can't.
+        If an argument can't be used, or a strategy decides what the rules forbid.
     """
     settings = checked_settings(team, disk, sensing, update_time, seed, time_limit, objective)
-    if not (team_is_built_in(evaders) and pursuer_is_built_in(pursuer)):
-        return play(team, disk, evaders, pursuer, settings)
-    played = play_compiled(team, disk, evaders, pursuer, settings, recorded=True)
-    strategies: dict[str, Any] = {"evaders": evaders.describe(), "pursuer": pursuer.describe()}
-    return assemble(
-        team, disk, settings, strategies, played.order, played.times, played.pages, played.written
-    )
+    return build_record(_play(team, disk, evaders, pursuer, settings, recorded=True))
+
+
+def survival(
+    team: Team,
+    disk: PursuerDisk,
+    *,
+    evaders: TeamStrategy | TeamPolicy = IterativeOpenLoop(),  # noqa: B008 frozen
+    pursuer: PursuerStrategy | PursuerPolicy = CommittedPursuer(),  # noqa: B008 frozen
+    sensing: str = "hidden",
+    update_time: float = 0.01,
+    seed: int = 0,
+    time_limit: float | None = None,
+    objective: Objective = LastCapture(),  # noqa: B008 frozen
+) -> Outcome:
+    """Play the game that `simulate` plays, to the last bit, and keep no record of its course.
+
+    The parameters are those of `simulate`.
+
+    Returns
+    -------
+    Outcome
+        What `Game.outcome()` of the record would be.
+    """
+    settings = checked_settings(team, disk, sensing, update_time, seed, time_limit, objective)
+    return outcome_of(_play(team, disk, evaders, pursuer, settings, recorded=False))
+
+
+def _play(
+    team: Team,
+    disk: PursuerDisk,
+    evaders: TeamStrategy | TeamPolicy,
+    pursuer: PursuerStrategy | PursuerPolicy,
+    settings: Settings,
+    *,
+    recorded: bool,
+) -> Played:
+    if team_is_built_in(evaders) and pursuer_is_built_in(pursuer):
+        return play_compiled(team, disk, evaders, pursuer, settings, recorded=recorded)
+    return play_out(Match(team, disk, evaders, pursuer, settings)).played()

@@ -1,4 +1,4 @@
-"""The border between strategies and rules: what players are told, what they decided, checked."""
+"""What the players know when they decide, and the checks of what they decided."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from covey.simulation.strategy import Chase, Fly, Situation
 _NO_ROWS = np.empty(0, np.int64)
 
 
-def told_to_team(
+def team_information(
     state: State,
     disk: PursuerDisk,
     objective: Objective = LastCapture(),  # noqa: B008 frozen
@@ -34,16 +34,16 @@ def told_to_team(
     )
 
 
-def told_to_pursuer(team_knows: Situation, state: State, *, flies: bool) -> Situation:
-    """Return that with the turns that were announced since and, if the pursuer `flies`, its place.
+def pursuer_information(known_to_team: Situation, state: State, *, flies: bool) -> Situation:
+    """Return what the pursuer knows: also the new turns and, if it `flies`, its position.
 
-    Where the game began with a disk, one that is seen has no place before it first moves.
+    In a game that began with a disk, a visible pursuer has no position before it first moves.
     """
-    placed = flies and state.pursuer[2] == 0.0
+    has_position = flies and state.pursuer[2] == 0.0
     return replace(
-        team_knows,
-        turns=_read_only_copy(state.turns[: len(team_knows.turns)]),
-        place=_read_only_copy(state.pursuer[:2]) if placed else None,
+        known_to_team,
+        turns=_read_only_copy(state.turns[: len(known_to_team.turns)]),
+        place=_read_only_copy(state.pursuer[:2]) if has_position else None,
     )
 
 
@@ -61,10 +61,10 @@ def checked_turns(turns: object, alive: int) -> Floats:
 def checked_decision(
     decision: object, living: Sequence[int], disk: PursuerDisk, *, flies: bool
 ) -> tuple[Ints, int, tuple[float, float]]:
-    """Return what the pursuer decided: the rows of the living that it means to capture, in order.
+    """Return what the pursuer decided: its sequence, its target, its velocity.
 
-    Then, as the rules take it, the row that it makes for, or `NOBODY`, and the velocity that it
-    flies then. One that doesn't fly is a disk and can only wait.
+    The sequence is in rows of the living. The target is a row, or `NOBODY`; then the velocity
+    counts. A pursuer that doesn't fly is a disk, and its velocity must be 0.
     """
     if isinstance(decision, Chase):
         rows = _chosen_rows(decision, living)

@@ -7,9 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from covey.model import PursuerDisk, Team
-from covey.planning import capture_times
 from covey.simulation import Game
+from covey.simulation.expected_captures import expected_at
 
 MOST_PICTURES = 1500
 """Of a film: with more, a page would be slow to load it and no smoother."""
@@ -51,7 +50,7 @@ def picture(game: Game, row: int) -> Json:
         "disk": [*game.disk_centers[row].tolist(), float(game.disk_radii[row])],
         "guarantee": float(game.guarantees[row]),
         "sequence": sequence.tolist(),
-        "expected": _expected(game, row, sequence),
+        "expected": expected_at(game, row).tolist(),
         "captured": [
             [int(i), float(time)]
             for i, time in zip(
@@ -73,21 +72,3 @@ def film(game: Game) -> Json:
         "pictures": [picture(game, row) for row in rows.tolist()],
         "survival_time": time if math.isfinite(time) else None,
     }
-
-
-def _expected(game: Game, row: int, sequence: np.typing.NDArray[np.int64]) -> list[float]:
-    """Times, from the start of the game, of the captures that the plan must expect."""
-    if not len(sequence):
-        return []
-    team = Team(
-        game.evader_positions[row, sequence],
-        game.evader_headings[row, sequence],
-        game.team.speeds[sequence],
-        game.team.turn_rates[sequence],
-    )
-    disk = PursuerDisk(
-        game.disk_centers[row], game.disk_radii[row], game.disk.speed, game.disk.capture_radius
-    )
-    turns = game.evader_turns[row, sequence]
-    times = game.times[row] + capture_times(team, disk, turns, np.arange(len(sequence)))
-    return times.tolist()  # type: ignore[no-any-return] # to mypy an element of an array is Any

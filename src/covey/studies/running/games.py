@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 from covey.model import PursuerDisk, Team
 from covey.players import Outcome, simulate, survival
-from covey.players.outcome import outcome_of
 from covey.simulation import Game
 from covey.studies.design.as_visible import AsVisible
 from covey.studies.design.study import Case, Start, Study, game_of
@@ -93,5 +92,5 @@ def _play_as(case: Case, start: Start, recorded: bool) -> tuple[Outcome, Game | 
     }
     if recorded:
         game = simulate(*game_of(case, start), **arguments)
-        return outcome_of(game), game
+        return game.outcome(), game
     return survival(*game_of(case, start), **arguments), None

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from covey.simulation.storage import columns_of
 from covey.simulation.strategy import description
 from covey.studies.design.study import GRID, Study
 from covey.studies.running.games import StudyGame
@@ -107,30 +108,20 @@ def _moments(game: StudyGame, size: int) -> pa.Table:
 
     record = game.record
     assert record is not None
-    count, moments = len(record.team), len(record.times)
-    columns: dict[str, Any] = {
-        "time": record.times,
-        "guarantee": record.guarantees,
-        "disk_x": record.disk_centers[:, 0],
-        "disk_y": record.disk_centers[:, 1],
-        "disk_radius": record.disk_radii,
-        "pursuer_x": record.pursuer_positions[:, 0],
-        "pursuer_y": record.pursuer_positions[:, 1],
-    }
-    for k in range(size):
-        for name, values in (
-            ("x", record.evader_positions[:, :, 0]),
-            ("y", record.evader_positions[:, :, 1]),
-            ("heading", record.evader_headings),
-        ):
-            columns[f"evader_{k}_{name}"] = values[:, k] if k < count else None
+    rows, columns = len(record.times), columns_of(record)
     arrays = {
-        name: pa.nulls(moments, pa.float32())
-        if values is None
-        else pa.array(values.astype(np.float32))
-        for name, values in columns.items()
+        name: pa.array(columns[name].astype(np.float32))
+        if name in columns
+        else pa.nulls(rows, pa.float32())
+        for name in _trajectory_columns(size)
     }
-    return pa.table({"game": pa.array(np.full(moments, game.number)), **arrays})
+    return pa.table({"game": pa.array(np.full(rows, game.number)), **arrays})
+
+
+def _trajectory_columns(size: int) -> list[str]:
+    """Return the columns of a game's record that are kept, for teams of up to `size`."""
+    alone = ["time", "guarantee", "disk_x", "disk_y", "disk_radius", "pursuer_x", "pursuer_y"]
+    return alone + [f"evader_{k}_{part}" for k in range(size) for part in ("x", "y", "heading")]
 
 
 def encoded(table: pa.Table) -> bytes:

@@ -8,8 +8,8 @@ import numpy as np
 
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Floats, Ints
-from covey.planning import capture_times
-from covey.views.games.flight import path, subteam
+from covey.simulation.expected_captures import expected_captures
+from covey.views.games.flight import path
 from covey.views.games.snapshot import Moment
 
 
@@ -37,10 +37,7 @@ class Prediction:
 
 def predict(team: Team, disk: PursuerDisk, turns: Floats, sequence: Ints) -> Prediction:
     """Captures of the evaders in `sequence`, which may leave some out, who are not predicted."""
-    times = np.empty(0)
-    if len(sequence):
-        order = np.arange(len(sequence))
-        times = capture_times(subteam(team, sequence), disk, turns[sequence], order)
+    times = expected_captures(team, disk, turns, sequence)
     paths = tuple(
         path(team, turns, evader, time)
         for evader, time in zip(sequence.tolist(), times.tolist(), strict=True)
