@@ -9,6 +9,7 @@ Hidden Pursuer", ICRA 2014.
 
 from __future__ import annotations
 
+import warnings
 from importlib import import_module
 
 import lazy_loader
@@ -26,4 +27,8 @@ def __getattr__(name: str) -> object:
         return version("covey")
     if name == "envs":  # the only room that is used as `covey.envs`; it needs covey[env]
         return import_module("covey.envs")
+    if name == "PatientPursuer":  # for one release
+        note = "covey.PatientPursuer is now called covey.UncommittedPursuer"
+        warnings.warn(note, DeprecationWarning, stacklevel=2)
+        return _load("UncommittedPursuer")
     raise AttributeError(f"module 'covey' has no attribute {name!r}")

@@ -32,7 +32,6 @@ from .players import KnownSequence as KnownSequence
 from .players import LargestDistance as LargestDistance
 from .players import NearestFirst as NearestFirst
 from .players import OpenLoop as OpenLoop
-from .players import PatientPursuer as PatientPursuer
 from .players import RandomSequence as RandomSequence
 from .players import SmallestDanger as SmallestDanger
 from .players import StraightAway as StraightAway

@@ -21,7 +21,7 @@ OPPONENTS = [
     ("team", {}),
     ("pursuer", {"evaders": covey.IterativeOpenLoop(starts=2, restarts=2, replan_time=0.12)}),
     ("team", {"pursuer": covey.FixedSequence([1, 0, 2])}),
-    ("team", {"pursuer": covey.PatientPursuer()}),
+    ("team", {"pursuer": covey.UncommittedPursuer()}),
     ("team", {"pursuer": covey.BestSequence()}),
     ("team", {"pursuer": covey.RandomSequence()}),
 ]

@@ -26,7 +26,7 @@ PURSUERS = [
     covey.BestSequence(),
     covey.NearestFirst(),
     covey.RandomSequence(),
-    covey.PatientPursuer(),
+    covey.UncommittedPursuer(),
 ]
 
 

@@ -163,7 +163,7 @@ def test_a_committed_pursuer_makes_small_what_the_game_is_about():
     """Nobody moves, so its first sequence is its last: by hand, as for plans."""
     team = covey.Team([(-0.9, 0.0), (1.0, 0.0), (1.0, 0.1)], [0.0] * 3, 0.0)
     disk = covey.PursuerDisk()
-    for pursuer in (covey.CommittedPursuer(), covey.PatientPursuer(), covey.FlyingPursuer()):
+    for pursuer in (covey.CommittedPursuer(), covey.UncommittedPursuer(), covey.FlyingPursuer()):
         last = covey.simulate(team, disk, pursuer=pursuer)
         total = covey.simulate(team, disk, pursuer=pursuer, objective=TOTAL)
         assert last.capture_sequence.tolist() == [0, 1, 2]

@@ -66,9 +66,9 @@ one side: any that comes with the package, or a function of a `covey.Situation`.
 says where the pursuer starts, also if its strategy has a `place`. By default `PursuerEnv` plays
 against iterative open loop, `TeamEnv` against the committed pursuer. Batches play compiled,
 against `covey.IterativeOpenLoop`, `covey.OpenLoop`, `covey.CommittedPursuer`,
-`covey.PatientPursuer`, `covey.FixedSequence`, `covey.BestSequence`, `covey.RandomSequence`. They
-begin a game anew in the step that ends it (Gymnasium's ``SAME_STEP``). Game b with seed s is the
-game of the single environment with seed s + b.
+`covey.UncommittedPursuer`, `covey.FixedSequence`, `covey.BestSequence`, `covey.RandomSequence`.
+They begin a game anew in the step that ends it (Gymnasium's ``SAME_STEP``). Game b with seed s is
+the game of the single environment with seed s + b.
 
 **Initial states** are drawn. ``reset(options={"positions": (N, 2), "headings": (N,)})`` sets one;
 without ``"headings"``, these are drawn as `Setup` says.

@@ -103,7 +103,7 @@ class TeamVectorEnv(GameBatch):
     num_envs
         B games.
     pursuer
-        A pursuer that follows sequences: `CommittedPursuer`, `PatientPursuer`, `FixedSequence`,
+        A pursuer that follows sequences: `CommittedPursuer`, `UncommittedPursuer`, `FixedSequence`,
         `BestSequence`, `RandomSequence`.
     **setup
         Fields of `Setup`: the game.

@@ -1,7 +1,7 @@
-"""Strategies that come with the package, and `simulate`, which plays them.
+"""The strategies that come with the package, and the functions that play them.
 
-Read `teams.open_loop` and `pursuers.committed`, the paper's two players, then `simulate` and
-`compiled`; `worst_case` searches the tree of all capture sequences.
+Teams and pursuers stand in rooms of their own; neither knows how a game is played. Read `teams` and
+`pursuers`, then `compiled` (games played by the kernels), `simulate` and `worst_case`.
 """
 
 from covey.players.pursuers.committed import CommittedPursuer, FlyingPursuer, UncommittedPursuer
@@ -17,9 +17,7 @@ from covey.players.teams.open_loop import IterativeOpenLoop, OpenLoop
 from covey.players.teams.simple import HoldCourse, StraightAway
 from covey.players.teams.smallest_danger import SmallestDanger
 from covey.players.worst_case import WorstCase, WorstCaseScope, worst_case
-
-PatientPursuer = UncommittedPursuer
-"""The name until version 0.1; it says the opposite of what this pursuer does."""
+from covey.simulation import Outcome
 
 __all__ = [
     "BestSequence",
@@ -35,7 +33,7 @@ __all__ = [
     "LargestDistance",
     "NearestFirst",
     "OpenLoop",
-    "PatientPursuer",
+    "Outcome",
     "RandomSequence",
     "SmallestDanger",
     "StraightAway",

@@ -2,50 +2,37 @@
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple, TypeGuard
 
-from covey.kernels.play.game import GameLog, allocate_log, cut_log, grow_log, play
-from covey.model import Objective, PursuerDisk, Team, objective_value
+from covey.kernels.arrays import Workspace
+from covey.kernels.play.game import allocate_log, grow_log, play
+from covey.kernels.play.policy import ReplanOptions, TeamMemory
+from covey.kernels.play.rules import State
+from covey.model import Objective, PursuerDisk, Team
 from covey.planning import Plan, plan
 from covey.planning.guarantee import check_game, longest_game
 from covey.planning.workspace import workspace
 from covey.players.pursuers.committed import CommittedPursuer
 from covey.players.pursuers.fixed_order import BestSequence, FixedSequence, RandomSequence
 from covey.players.teams.open_loop import IterativeOpenLoop, OpenLoop, first_memory
-from covey.simulation import Game, Outcome, Settings
-from covey.simulation.build_record import GameSetup, build_record
-from covey.simulation.settings import first_state
+from covey.simulation import Settings
+from covey.simulation.build_record import Played
+from covey.simulation.settings import GameSetup, first_state
 
 BuiltInTeam = OpenLoop | IterativeOpenLoop
 BuiltInPursuer = CommittedPursuer | FixedSequence | BestSequence | RandomSequence
 
-_FIRST_ROWS = 256
+_FIRST_ROWS = 256  # of a log, which grows
 
 
-class Played(NamedTuple):
-    """A compiled game that was played."""
+class InitialGame(NamedTuple):
+    """A compiled game at time 0, with the team's first plan announced."""
 
-    setup: GameSetup
-    plan: Plan  # the first
-    log: GameLog  # without rows unless the game was recorded
-
-    def record(self) -> Game:
-        """Return the record of a game that was recorded."""
-        return build_record(self.setup, self.log)
-
-    def outcome(self) -> Outcome:
-        """Return what came of the game."""
-        log = cut_log(self.log)
-        times, done = log.capture_times, len(log.order) == len(self.setup.team)
-        return Outcome(
-            self.plan.survival_time,
-            float(times[-1]) if done else math.inf,
-            self.plan.value,
-            objective_value(self.setup.settings.objective, times) if done else math.inf,
-            log.order,
-            times,
-        )
+    plan: Plan
+    state: State
+    options: ReplanOptions
+    memory: TeamMemory
+    workspace: Workspace
 
 
 def team_is_built_in(evaders: object) -> TypeGuard[BuiltInTeam]:
@@ -73,6 +60,19 @@ def checked_settings(
     return Settings(sensing, update_time, seed, limit, objective)
 
 
+def initial_game(
+    team: Team, disk: PursuerDisk, evaders: BuiltInTeam, settings: Settings
+) -> InitialGame:
+    """Make the team's first plan, and what its game is played on."""
+    options, objective = evaders.compiled(), settings.objective
+    first = plan(team, disk, objective=objective, seed=settings.seed, starts=evaders.starts)
+    memory = first_memory(first, settings.seed, options.restarts)
+    state = first_state(team, disk)
+    state.turns[:] = first.turns
+    scratch = workspace(len(team), memory.objective.total)
+    return InitialGame(first, state, options, memory, scratch)
+
+
 def play_compiled(
     team: Team,
     disk: PursuerDisk,
@@ -82,18 +82,12 @@ def play_compiled(
     *,
     recorded: bool,
 ) -> Played:
-    """Play a game; with `recorded`, log its course."""
-    n, objective, team_options = len(team), settings.objective, evaders.compiled()
-    commitment = pursuer.commitment(team, disk, settings.seed)
-    first = plan(team, disk, objective=objective, seed=settings.seed, starts=evaders.starts)
-    memory = first_memory(first, settings.seed, team_options.restarts)
-    state, rules = first_state(team, disk), settings.rules(disk)
-    state.turns[:] = first.turns
-    log, scratch = (
-        allocate_log(_FIRST_ROWS if recorded else 0, n),
-        workspace(n, memory.objective.total),
-    )
-    while not play(state, rules, team_options, memory, commitment, log, scratch):
-        log, commitment = grow_log(log), commitment._replace(is_chosen=True)
+    """Play a game; if `recorded`, its log has a row for every decision."""
     strategies = {"evaders": evaders.describe(), "pursuer": pursuer.describe()}
-    return Played(GameSetup(team, disk, settings, strategies), first, log)
+    setup = GameSetup(team, disk, settings, strategies)
+    commitment = pursuer.commitment(team, disk, settings.seed)
+    first, state, options, memory, scratch = initial_game(team, disk, evaders, settings)
+    rules, log = settings.rules(disk), allocate_log(_FIRST_ROWS if recorded else 0, len(team))
+    while not play(state, rules, options, memory, commitment, log, scratch):
+        log, commitment = grow_log(log), commitment._replace(is_chosen=True)
+    return Played(setup, first.survival_time, first.value, log)

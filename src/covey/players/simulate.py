@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TypedDict, Unpack
-
 from covey.model import LastCapture, Objective, PursuerDisk, Team
 from covey.players.compiled import (
-    Played,
     checked_settings,
     play_compiled,
     pursuer_is_built_in,
@@ -19,10 +16,13 @@ from covey.simulation import (
     Outcome,
     PursuerPolicy,
     PursuerStrategy,
+    Settings,
     TeamPolicy,
     TeamStrategy,
-    play,
 )
+from covey.simulation.build_record import Played, build_record, outcome_of
+from covey.simulation.loop import play_out
+from covey.simulation.match import Match
 
 
 def simulate(
@@ -50,94 +50,67 @@ def simulate(
         "hidden": the team knows a disk that grows at the pursuer's speed and collapses at each
         capture. "visible": it sees the pursuer at every update.
     update_time
-        Δt > 0 between updates; a capture brings one at once.
+        Δt > 0 between updates; a capture brings an update at once.
     seed
         The same call with the same seed gives the same game, bit for bit.
     time_limit
-        A game is stopped then. None: by when a pursuer that kept to one sequence would have
-        captured everybody, whatever the team did.
+        Time at which a game is stopped. None: the time by which a pursuer that keeps to any one
+        sequence has captured everybody, whatever the team does.
     objective
-        What the team makes large and the pursuer small, where their strategies mind: `OpenLoop`,
-        `IterativeOpenLoop` and `ConstantHeading` (see `covey.plan`), `CommittedPursuer`,
-        `UncommittedPursuer` and `FlyingPursuer`. A pursuer doesn't reckon with expectations: it
-        makes small what is measured.
+        What the team maximises and the pursuer minimises. These strategies use the objective:
+        `OpenLoop`, `IterativeOpenLoop` and `ConstantHeading` (see `covey.plan`),
+        `CommittedPursuer`, `UncommittedPursuer` and `FlyingPursuer`. A pursuer minimises what is
+        measured, not its expectation.
 
     Returns
     -------
     Game
-        `planned_value` is what the first plan made of the objective, `value` what came of it;
-        `guarantee` and `survival_time` for the last capture.
+        `planned_value` is the value of the objective by the first plan, `value` the value that was
+        reached; `guarantee` and `survival_time` are the same for the last capture.
 
     Raises
     ------
     InputError
-        If an argument can't be used, or a strategy decides what it can't.
+        If an argument can't be used, or a strategy decides what the rules forbid.
     """
-    options = Options(
-        evaders=evaders,
-        pursuer=pursuer,
-        sensing=sensing,
-        update_time=update_time,
-        seed=seed,
-        time_limit=time_limit,
-        objective=objective,
-    )
-    played = _play(team, disk, options, recorded=True)
-    return played if isinstance(played, Game) else played.record()
+    settings = checked_settings(team, disk, sensing, update_time, seed, time_limit, objective)
+    return build_record(_play(team, disk, evaders, pursuer, settings, recorded=True))
 
 
-class Options(TypedDict, total=False):
-    """The keyword arguments of `simulate`."""
-
-    evaders: TeamStrategy | TeamPolicy
-    pursuer: PursuerStrategy | PursuerPolicy
-    sensing: str
-    update_time: float
-    seed: int
-    time_limit: float | None
-    objective: Objective
-
-
-def survival(team: Team, disk: PursuerDisk, **options: Unpack[Options]) -> Outcome:
+def survival(
+    team: Team,
+    disk: PursuerDisk,
+    *,
+    evaders: TeamStrategy | TeamPolicy = IterativeOpenLoop(),  # noqa: B008 frozen
+    pursuer: PursuerStrategy | PursuerPolicy = CommittedPursuer(),  # noqa: B008 frozen
+    sensing: str = "hidden",
+    update_time: float = 0.01,
+    seed: int = 0,
+    time_limit: float | None = None,
+    objective: Objective = LastCapture(),  # noqa: B008 frozen
+) -> Outcome:
     """Play the game that `simulate` plays, to the last bit, and keep no record of its course.
 
-    Parameters
-    ----------
-    team, disk, options
-        See `simulate`.
+    The parameters are those of `simulate`.
 
     Returns
     -------
     Outcome
-        What the record of the game would say.
+        What `Game.outcome()` of the record would be.
     """
-    return _play(team, disk, options, recorded=False).outcome()
+    settings = checked_settings(team, disk, sensing, update_time, seed, time_limit, objective)
+    return outcome_of(_play(team, disk, evaders, pursuer, settings, recorded=False))
 
 
-_DEFAULTS = Options(
-    evaders=IterativeOpenLoop(),
-    pursuer=CommittedPursuer(),
-    sensing="hidden",
-    update_time=0.01,
-    seed=0,
-    time_limit=None,
-    objective=LastCapture(),
-)
-
-
-def _play(team: Team, disk: PursuerDisk, given: Options, *, recorded: bool) -> Played | Game:
-    """Play a game; a compiled game is logged only where it is `recorded`."""
-    options = _DEFAULTS | given
-    evaders, pursuer = options["evaders"], options["pursuer"]
-    settings = checked_settings(
-        team,
-        disk,
-        options["sensing"],
-        options["update_time"],
-        options["seed"],
-        options["time_limit"],
-        options["objective"],
-    )
+def _play(
+    team: Team,
+    disk: PursuerDisk,
+    evaders: TeamStrategy | TeamPolicy,
+    pursuer: PursuerStrategy | PursuerPolicy,
+    settings: Settings,
+    *,
+    recorded: bool,
+) -> Played:
     if team_is_built_in(evaders) and pursuer_is_built_in(pursuer):
         return play_compiled(team, disk, evaders, pursuer, settings, recorded=recorded)
-    return play(team, disk, evaders, pursuer, settings)
+    return play_out(Match(team, disk, evaders, pursuer, settings)).played()

@@ -1,4 +1,4 @@
-"""The worst that a hidden pursuer can do to a team's strategy: a search of the tree of captures."""
+"""The worst case of a team's strategy against a hidden pursuer: a search of capture sequences."""
 
 from __future__ import annotations
 
@@ -15,16 +15,13 @@ from covey.kernels.play.rules import State
 from covey.kernels.play.to_capture import guaranteed_value, play_to_capture
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team, objective_value
 from covey.model.validation import number
-from covey.planning import plan
-from covey.planning.workspace import workspace
-from covey.players.compiled import BuiltInTeam, checked_settings, team_is_built_in
+from covey.players.compiled import BuiltInTeam, checked_settings, initial_game, team_is_built_in
 from covey.players.pursuers.delayed import DelayedSequence
-from covey.players.teams.open_loop import IterativeOpenLoop, first_memory
+from covey.players.teams.open_loop import IterativeOpenLoop
 from covey.simulation import Settings, TeamPolicy, TeamStrategy, play
-from covey.simulation.settings import first_state
 
-_PROMISE_KEPT = 1e-9
-"""By how much, relative, rounding may bring a team below what its plan guaranteed."""
+_ROUNDING = 1e-9
+"""Relative: rounding may bring a team below its guarantee by this much."""
 
 
 class WorstCaseScope(StrEnum):
@@ -36,25 +33,25 @@ class WorstCaseScope(StrEnum):
 
 @dataclass(frozen=True)
 class WorstCase:
-    """The worst that a hidden pursuer can do to a team's strategy.
+    """The worst case of a team's strategy against a hidden pursuer.
 
     Attributes
     ----------
     survival_time : float
-        Time of the last capture: the least there is, where the game is about that.
+        Time of the last capture: the least one, where the game is about the last capture.
     value : float
         The least of what the objective measures: the last capture, or the sum.
     sequence : tuple of int
-        The order of capture that leads to it.
+        The order of capture that gives this value.
     capture_times : tuple of float
         (N,) in the order of `sequence`.
     delays : tuple of float
-        (N,) how long each capture waited, in the order of `sequence`.
+        (N,) delay of each capture, in the order of `sequence`.
     scope : WorstCaseScope
-        Which pursuers were looked at. One that waits for other times, or decides about its delays
-        by what it sees of the evaders, may do a little better still.
+        The pursuers that were considered. A pursuer with other delays, or with delays that depend
+        on what it sees of the evaders, may reach a slightly lower value.
     flights : int
-        Flights from one capture to the next that were played.
+        Number of flights, from one capture to the next, that were played.
     """
 
     survival_time: float
@@ -67,7 +64,7 @@ class WorstCase:
 
 
 class Capture(NamedTuple):
-    """Who was captured, when, and how long after it could have been."""
+    """Who was captured, when, and how long after the earliest capture."""
 
     evader: int
     time: float
@@ -86,9 +83,9 @@ def worst_case(
 ) -> WorstCase:
     """Find the capture sequence by which a hidden pursuer ends a team's survival earliest.
 
-    Or by which the sum of survival times is least, where the game is about that. What a team that
-    doesn't see the pursuer does depends on the captures alone, so the worst case is the least over
-    a tree: who is captured first, who then, ....
+    Or by which the sum of survival times is least, where the game is about the sum. A team that
+    doesn't see the pursuer reacts to captures alone. So the worst case is the least value in a tree
+    whose branches are the next evader captured and its delay.
 
     Parameters
     ----------
@@ -97,8 +94,8 @@ def worst_case(
     evaders
         The team's strategy, as `simulate` takes it.
     delays
-        Each capture may wait so long after the disk has reached the evader, times >= 0; see
-        `covey.players.DelayedSequence`. By default it doesn't wait, as in the paper.
+        Times >= 0 that each capture may wait after the disk has reached the evader; see
+        `covey.players.DelayedSequence`. By default no capture waits, as in the paper.
     update_time, seed, objective
         As `simulate` takes them. The worst case is the least of what the objective measures.
 
@@ -115,11 +112,11 @@ def worst_case(
 
     Notes
     -----
-    Open loop and iterative open loop play each beginning of a sequence once, and a beginning whose
-    team has planned for more than the least value found is dropped: neither ever falls short of its
-    plan. A plan for an expectation promises nothing, so few beginnings are dropped. Any other
-    strategy may remember anything, so it plays every sequence from the start: N! games, times the
-    delays. It must play the same game when it is started anew with the same seed.
+    Open loop and iterative open loop play each prefix of a sequence once. A prefix is pruned if the
+    plan after it guarantees more than the least value found, as neither strategy falls below its
+    plan. A plan for an expectation guarantees nothing, so few prefixes are pruned. Any other
+    strategy may have a memory, so it plays every sequence from the start: N! games, times the
+    delays. It must play the same game whenever it is started with the same seed.
     """
     checked = checked_settings(team, disk, "hidden", update_time, seed, None, objective)
     settings = replace(checked, time_limit=math.inf)  # captures that wait may come after it
@@ -151,11 +148,11 @@ class _Node(NamedTuple):
     captures: tuple[Capture, ...]
     state: State
     memory: TeamMemory
-    promised: float  # no game that goes on from here has a smaller value
+    lower_bound: float  # of the values of all games that continue this one
 
 
 class _Tree:
-    """Depth first, the smallest promise first; `worst` is the game of least value so far."""
+    """Branch and bound, depth first, least bound first; `worst` is the least game so far."""
 
     def __init__(
         self,
@@ -165,16 +162,14 @@ class _Tree:
         delays: tuple[float, ...],
         settings: Settings,
     ) -> None:
-        n = len(team)
-        self._rules, self._policy = settings.rules(disk), strategy.compiled()
-        self._delays, self._objective = delays, settings.objective
-        first = plan(
-            team, disk, objective=settings.objective, seed=settings.seed, starts=strategy.starts
+        self._rules, self._delays, self._objective = (
+            settings.rules(disk),
+            delays,
+            settings.objective,
         )
-        state = first_state(team, disk)
-        state.turns[:] = first.turns
-        memory = first_memory(first, settings.seed, self._policy.restarts)
-        self._workspace = workspace(n, memory.objective.total)
+        first, state, self._options, memory, self._scratch = initial_game(
+            team, disk, strategy, settings
+        )
         self._root = _Node((), state, memory, first.value)
         self.worst: tuple[Capture, ...] = ()
         self._least = math.inf
@@ -190,8 +185,8 @@ class _Tree:
             if value < self._least:
                 self.worst, self._least = node.captures, value
             return
-        for child in sorted(self._children(node), key=lambda child: child.promised):
-            if child.promised * (1.0 - _PROMISE_KEPT) < self._least:
+        for child in sorted(self._children(node), key=lambda child: child.lower_bound):
+            if child.lower_bound * (1.0 - _ROUNDING) < self._least:
                 self._explore(child)
 
     def _children(self, node: _Node) -> Iterator[_Node]:
@@ -201,27 +196,29 @@ class _Tree:
             if not play_to_capture(
                 state,
                 self._rules,
-                self._policy,
+                self._options,
                 memory,
                 row,
                 delay,
-                self._workspace,
+                self._scratch,
             ):
                 raise _too_many_updates(self._rules.update_time)
             self.flights += 1
             captures = (*node.captures, Capture(captured, float(state.time[0]), delay))
-            yield _Node(captures, state, memory, self._promised(captures, state, memory))
+            yield _Node(captures, state, memory, self._lower_bound(captures, state, memory))
 
-    def _promised(self, captures: tuple[Capture, ...], state: State, memory: TeamMemory) -> float:
-        """What no game that goes on from here falls below.
+    def _lower_bound(
+        self, captures: tuple[Capture, ...], state: State, memory: TeamMemory
+    ) -> float:
+        """Return a lower bound of the values of all games that continue this one.
 
-        The living survive until now at least; a plan for an expectation promises no more.
+        The living survive at least until now. A plan for an expectation guarantees no more.
         """
         alive, total = int(state.alive[0]), memory.objective.total
-        promised = float(state.time[0]) * (alive if total else 1)
+        bound = float(state.time[0]) * (alive if total else 1)
         if alive > 0 and not memory.objective.expected:
-            promised = guaranteed_value(state, self._rules, total, self._workspace)
-        return promised + (sum(capture.time for capture in captures) if total else 0.0)
+            bound = guaranteed_value(state, self._rules, total, self._scratch)
+        return bound + (sum(capture.time for capture in captures) if total else 0.0)
 
 
 def _value(captures: tuple[Capture, ...], objective: Objective) -> float:

@@ -30,10 +30,10 @@ from covey.players import (
     LargestDistance,
     NearestFirst,
     OpenLoop,
-    PatientPursuer,
     RandomSequence,
     SmallestDanger,
     StraightAway,
+    UncommittedPursuer,
 )
 from covey.scenarios.values import (
     UNKNOWN_NAME,
@@ -91,7 +91,7 @@ EVADERS = {
 PURSUERS = {
     "committed": Entry(CommittedPursuer, _MARGIN),
     "flying": Entry(FlyingPursuer, _MARGIN | _OFFSET),
-    "patient": Entry(PatientPursuer, {}),
+    "patient": Entry(UncommittedPursuer, {}),
     "fixed-sequence": Entry(FixedSequence, _SEQUENCE),
     "best-sequence": Entry(BestSequence, {}),
     "random-sequence": Entry(RandomSequence, _DRAWS),

@@ -1,4 +1,8 @@
-"""The one set of rules, the loop that plays a game, and the record of what happened."""
+"""How a game is played between two strategies, and the record of what happened.
+
+Read `strategy` and `information` first (what players know and decide), then `settings`, `match` and
+`loop` (the game), then `record`, `time_series`, `build_record`, `storage` and `expected_captures`.
+"""
 
 from covey.simulation.loop import play
 from covey.simulation.record import Game, GameStatus, Outcome

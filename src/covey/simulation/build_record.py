@@ -1,82 +1,80 @@
-"""From the log that the kernels wrote to the record of a game."""
+"""From a game as it was played to its outcome and its record."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from covey.kernels.play.game import GameLog, cut_log
-from covey.model import PursuerDisk, Team, objective_value
+from covey.model import PursuerDisk, objective_value
 from covey.model.validation import Floats
-from covey.planning.guarantee import value_of_plan
-from covey.simulation.record import Game, GameStatus
-from covey.simulation.settings import Settings
+from covey.simulation.record import Game, GameStatus, Outcome
+from covey.simulation.settings import GameSetup
+from covey.simulation.time_series import time_series
 
 
-class GameSetup(NamedTuple):
-    """What a game is played with."""
+class Played(NamedTuple):
+    """A game as it was played, compiled or in Python."""
 
-    team: Team
-    disk: PursuerDisk
-    settings: Settings
-    strategies: Mapping[str, Mapping[str, Any]]  # descriptions of "evaders" and "pursuer"
-    has_position: bool = False  # whether the pursuer has a position, even where it is hidden
+    setup: GameSetup
+    guarantee: float  # survival time that the first plan guaranteed
+    planned_value: float  # of the objective, by the first plan
+    log: GameLog  # without rows if the game wasn't recorded
 
 
-def build_record(setup: GameSetup, log: GameLog) -> Game:
-    """Return the record of what has happened."""
-    team, disk, settings, strategies, has_position = setup
-    log = cut_log(log)
-    order, times = log.order, log.capture_times
-    done, objective = len(order) == len(team), settings.objective
-    pursuer = log.pursuers[:, :2]
-    if settings.sensing == "hidden" and not has_position:
-        pursuer = _explaining_flight(disk, log)
-    return Game(
-        team=team,
-        disk=disk,
-        sensing=settings.sensing,
-        update_time=settings.update_time,
-        seed=settings.seed,
-        objective=objective.describe(),
-        strategies=strategies,
-        status=_status(done, settings, log),
-        guarantee=float(log.guarantees[0]),
-        survival_time=float(times[-1]) if done else math.inf,
-        planned_value=value_of_plan(team, disk, log.evaders[0, :, 3], objective),
-        value=objective_value(objective, times) if done else math.inf,
-        capture_sequence=order,
-        capture_times=times,
-        times=log.times,
-        evader_positions=log.evaders[:, :, :2],
-        evader_headings=log.evaders[:, :, 2],
-        evader_turns=log.evaders[:, :, 3],
-        guarantees=log.guarantees,
-        critical_sequences=log.critical,
-        pursuer_sequences=log.intended,
-        pursuer_positions=pursuer,
-        disk_centers=log.pursuers[:, 2:4],
-        disk_radii=log.pursuers[:, 4],
+def outcome_of(played: Played) -> Outcome:
+    """Return what came of a game."""
+    log, objective = cut_log(played.log), played.setup.settings.objective
+    all_captured = len(log.order) == len(played.setup.team)
+    return Outcome(
+        guarantee=played.guarantee,
+        survival_time=float(log.capture_times[-1]) if all_captured else math.inf,
+        planned_value=played.planned_value,
+        value=objective_value(objective, log.capture_times) if all_captured else math.inf,
+        capture_sequence=log.order,
+        capture_times=log.capture_times,
     )
 
 
-def _status(done: bool, settings: Settings, log: GameLog) -> GameStatus:
-    if done:
+def build_record(played: Played) -> Game:
+    """Return the record of a game that was recorded.
+
+    The log tells where a pursuer was that is visible or has a position of its own.
+    """
+    setup, log = played.setup, cut_log(played.log)
+    series = {field: each.logged(log) for field, each in time_series(len(setup.team)).items()}
+    if setup.settings.sensing == "hidden" and setup.position is None:
+        series["pursuer_positions"] = _explaining_flight(setup.disk, log)
+    return Game(
+        team=setup.team,
+        disk=setup.disk,
+        sensing=setup.settings.sensing,
+        update_time=setup.settings.update_time,
+        seed=setup.settings.seed,
+        objective=setup.settings.objective.describe(),
+        strategies=setup.strategies,
+        status=_status(setup, log),
+        **outcome_of(played)._asdict(),
+        **series,
+    )
+
+
+def _status(setup: GameSetup, log: GameLog) -> GameStatus:
+    if len(log.order) == len(setup.team):
         return GameStatus.ALL_CAPTURED
-    in_time = log.times[-1] < settings.time_limit
+    in_time = log.times[-1] < setup.settings.time_limit
     return GameStatus.UPDATE_LIMIT if in_time else GameStatus.TIME_LIMIT
 
 
 def _explaining_flight(disk: PursuerDisk, log: GameLog) -> Floats:
-    """Straight flights, one to each capture, from where in the disk it was nearest.
+    """Return positions (T, 2) on straight flights, one to each capture, that explain the captures.
 
-    With a capture radius ρ the flight may start anew up to 2ρ from where the last one ended: that
-    is the freedom which the guarantee allows the pursuer.
+    Each flight begins at the disk's point nearest to the capture. With a capture radius ρ this may
+    be up to 2ρ from the end of the flight before: the guarantee allows the pursuer that much.
     """
-    places = np.empty((len(log.times), 2))
+    positions = np.empty((len(log.times), 2))
     since, row = 0.0, 0
     living = (log.critical >= 0).sum(axis=1)
     for k, (i, time) in enumerate(zip(log.order, log.capture_times, strict=True)):
@@ -88,8 +86,8 @@ def _explaining_flight(disk: PursuerDisk, log: GameLog) -> Floats:
         share = np.ones(last - row)
         if time > since:
             share = (log.times[row:last] - since) / (time - since)
-        places[row:last] = start + share[:, None] * (end - start)
+        positions[row:last] = start + share[:, None] * (end - start)
         disk = PursuerDisk(goal, disk.capture_radius, disk.speed, disk.capture_radius)
         since, row = time, last
-    places[row:] = disk.center
-    return places
+    positions[row:] = disk.center
+    return positions

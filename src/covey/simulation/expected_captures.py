@@ -1,4 +1,4 @@
-"""The captures that a plan must expect, in the order by which the team is captured earliest."""
+"""The captures to expect, along the sequence that captures a plan earliest."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from covey.simulation.record import Game
 def expected_captures(team: Team, disk: PursuerDisk, turns: Floats, sequence: Ints) -> Floats:
     """Return the capture times (M,), from now, of the M evaders in `sequence`.
 
-    The sequence may leave out evaders of the team, such as captured evaders.
+    `turns` (N,) is the plan of the whole team; the evaders that `sequence` leaves out are captured.
     """
     if not len(sequence):
         return np.empty(0)
-    return capture_times(team.take(sequence), disk, turns[sequence], np.arange(len(sequence)))
+    order = np.arange(len(sequence))
+    return capture_times(team.take(sequence), disk, turns[sequence], order)
 
 
-def expected_in_game(game: Game, row: int) -> Floats:
-    """Return the times, from the start of the game, of the captures to expect at a row."""
-    critical = game.critical_sequences[row]
-    team = Team(
-        game.evader_positions[row],
-        game.evader_headings[row],
-        game.team.speeds,
-        game.team.turn_rates,
-    )
+def expected_at(game: Game, row: int) -> Floats:
+    """Return the capture times (M,), from the start of the game, to expect at a row of a record."""
+    positions, headings = game.evader_positions[row], game.evader_headings[row]
+    team = Team(positions, headings, game.team.speeds, game.team.turn_rates)
     disk = PursuerDisk(
         game.disk_centers[row], game.disk_radii[row], game.disk.speed, game.disk.capture_radius
     )
+    critical = game.critical_sequences[row]
     sequence = critical[critical >= 0]
-    return expected_captures(team, disk, game.evader_turns[row], sequence) + float(game.times[row])
+    times: Floats = game.times[row] + expected_captures(
+        team, disk, game.evader_turns[row], sequence
+    )
+    return times

@@ -1,4 +1,4 @@
-"""The border between strategies and rules: what players are told, what they decided, checked."""
+"""What the players know when they decide, and the checks of what they decided."""
 
 from __future__ import annotations
 
@@ -34,15 +34,15 @@ def team_information(
     )
 
 
-def pursuer_information(team_knows: Situation, state: State, *, moves: bool) -> Situation:
-    """Return the same with the announced turns and, if the pursuer `moves`, its position.
+def pursuer_information(known_to_team: Situation, state: State, *, moves: bool) -> Situation:
+    """Return what the pursuer knows: also the new turns and, if it `moves`, its position.
 
-    Where the game began with a disk, a visible pursuer has no position before it first moves.
+    In a game that began with a disk, a visible pursuer has no position before it first moves.
     """
     has_position = moves and state.pursuer[2] == 0.0
     return replace(
-        team_knows,
-        turns=read_only(state.turns[: len(team_knows.turns)].copy()),
+        known_to_team,
+        turns=read_only(state.turns[: len(known_to_team.turns)].copy()),
         place=read_only(state.pursuer[:2].copy()) if has_position else None,
     )
 
@@ -61,10 +61,10 @@ def checked_turns(turns: object, alive: int) -> Floats:
 def checked_decision(
     decision: object, living: Sequence[int], disk: PursuerDisk, *, moves: bool
 ) -> tuple[Ints, int, tuple[float, float]]:
-    """Return what the pursuer decided: the rows of the living that it means to capture, in order.
+    """Return what the pursuer decided: its sequence, its target, its velocity.
 
-    Then, as the rules take it, the row that it makes for, or `NOBODY`, and the velocity that it
-    flies then. One that doesn't move is a disk and can only wait.
+    The sequence is in rows of the living. The target is a row, or `NOBODY`; then the velocity
+    counts. A pursuer that doesn't move is a disk, and its velocity must be 0.
     """
     if isinstance(decision, Chase):
         rows = _chosen_rows(decision, living)

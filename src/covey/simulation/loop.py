@@ -1,4 +1,4 @@
-"""A game between any two strategies, in Python, by the rules that compiled games go by."""
+"""A game between any two strategies, in Python, by the rules of compiled games."""
 
 from __future__ import annotations
 
@@ -21,11 +21,15 @@ def play(
     Raises
     ------
     InputError
-        If a strategy decides what it can't: turns that aren't n numbers in [-π, π], a sequence
-        that names somebody who isn't alive, a velocity above the pursuer's speed, any velocity for
-        a pursuer that is a disk only, a place outside it.
+        If a strategy decides what the rules forbid: turns that aren't n numbers in [-π, π], a
+        sequence with an evader that isn't alive, a velocity above the pursuer's speed, any velocity
+        for a pursuer that is a disk only, a position outside the disk.
     """
-    match = Match(team, disk, evaders, pursuer, settings)
+    return play_out(Match(team, disk, evaders, pursuer, settings)).record()
+
+
+def play_out(match: Match) -> Match:
+    """Play a game to its end, and return it."""
     while not match.over:
         match.step()
-    return match.record()
+    return match

@@ -1,4 +1,4 @@
-"""A game in play, which moves from one decision to the next."""
+"""A game in play, which advances from one decision of the pursuer to the next."""
 
 from __future__ import annotations
 
@@ -16,8 +16,9 @@ from covey.kernels.play.game import (
 from covey.kernels.play.rules import NOBODY, announce, fly, moves
 from covey.model import PursuerDisk, Team
 from covey.planning.compiled_objective import compiled_objective
+from covey.planning.guarantee import value_of_plan
 from covey.planning.workspace import workspace
-from covey.simulation.build_record import GameSetup, build_record
+from covey.simulation.build_record import Played, build_record
 from covey.simulation.information import (
     checked_decision,
     checked_turns,
@@ -25,22 +26,22 @@ from covey.simulation.information import (
     team_information,
 )
 from covey.simulation.record import Game
-from covey.simulation.settings import Settings, first_state
+from covey.simulation.settings import GameSetup, Settings, first_state
 from covey.simulation.strategy import (
     PursuerPolicy,
     PursuerStrategy,
     TeamPolicy,
     TeamStrategy,
     description,
-    place_of,
     policy_of,
+    position_of,
 )
 
 _NO_ROWS = np.empty(0, np.int64)
 
 
 class Match:
-    """A game whose team has announced its plan, and which waits for the pursuer's decision.
+    """A game whose team has announced its plan; the pursuer decides next.
 
     Parameters
     ----------
@@ -62,17 +63,18 @@ class Match:
         settings: Settings,
     ) -> None:
         compiled_objective(settings.objective, len(team))  # an error before anybody flies
-        self._disk, self._settings = disk, settings
         self._plan = policy_of("evaders", evaders, settings.seed)
         self._decide = policy_of("pursuer", pursuer, settings.seed)
         strategies = {"evaders": description(evaders), "pursuer": description(pursuer)}
-        position = place_of(pursuer, disk)
-        self._setup = GameSetup(team, disk, settings, strategies, position is not None)
+        position = position_of(pursuer, disk)
+        self._setup = GameSetup(team, disk, settings, strategies, position)
         self._rules = settings.rules(disk, has_position=position is not None)
         self._moves = moves(self._rules)
         self._state = first_state(team, disk, position)
         self._log = allocate_log(256, len(team))
         self._announce_plan()
+        turns = self._log.evaders[0, :, 3]
+        self._planned_value = value_of_plan(team, disk, turns, settings.objective)
 
     @property
     def over(self) -> bool:
@@ -92,22 +94,29 @@ class Match:
             self._announce_plan()
 
     def record(self) -> Game:
-        """Return what has happened until now."""
-        return build_record(self._setup, self._log)
+        """Return the record of the game until now."""
+        return build_record(self.played())
+
+    def played(self) -> Played:
+        """Return the game as it was played until now."""
+        guarantee = float(self._log.guarantees[0])
+        return Played(self._setup, guarantee, self._planned_value, self._log)
 
     def _announce_plan(self) -> None:
         alive = int(self._state.alive[0])
-        self._known = team_information(self._state, self._disk, self._settings.objective)
+        self._known = team_information(
+            self._state, self._setup.disk, self._setup.settings.objective
+        )
         self._state.turns[:alive] = checked_turns(self._plan(self._known), alive)
         announce(self._state, self._rules)
         self._write()
 
     def _fly(self) -> int:
-        """Fly what the pursuer decides, and return the captured row."""
+        """Fly what the pursuer decides, and return the row of the captured evader, or `NOBODY`."""
         state = self._state
         decision = self._decide(pursuer_information(self._known, state, moves=self._moves))
         rows, target, velocity = checked_decision(
-            decision, self._known.evaders, self._disk, moves=self._moves
+            decision, self._known.evaders, self._setup.disk, moves=self._moves
         )
         self._log.intended[self._log.counters[ROWS] - 1, : len(rows)] = state.ids[rows]
         return fly(state, self._rules, target, *velocity)

@@ -29,7 +29,7 @@ class Outcome(NamedTuple):
     survival_time : float
         Time of the last capture; inf if the game was stopped before it.
     planned_value, value : float
-        What the first plan made of the objective, and what came of it.
+        Value of the objective by the first plan, and the value that was reached.
     capture_sequence, capture_times : numpy.ndarray
         (C,) evaders in the order of their capture, and when.
     """
@@ -46,9 +46,9 @@ class Outcome(NamedTuple):
 class Game:
     """One game, from time 0 to the last capture.
 
-    T rows: one at every update and one at every capture, each with the state just after it and the
-    plan that is flown from there on. Evaders are numbered from 0; a captured one stays where it was
-    captured. Lengths, times and radians as in the team and the disk.
+    T rows: one at every update and one at every capture. Each has the state just after the update
+    or capture, and the plan that is flown from there on. Evaders are numbered from 0; a captured
+    evader stays where it was captured. Lengths, times and radians are as in the team and the disk.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class Game:
         "visible": the team sees the pursuer at every update. "hidden": it knows only the disk,
         which grows at the pursuer's speed and collapses at a capture.
     update_time : float
-        Δt between updates; a capture brings one at once.
+        Δt between updates; a capture brings an update at once.
     seed : int
         Seed of the searches for plans.
     objective : mapping
@@ -67,14 +67,14 @@ class Game:
         "evaders" and "pursuer": name and parameters of each, as a scenario file gives them.
     status : GameStatus
     guarantee : float
-        Survival time that the first plan guaranteed, if it was flown to the end; iterative open
-        loop keeps to it where the game is about the last capture, and to `planned_value` where it
-        is about the sum.
+        Survival time that the first plan guaranteed, if it was flown to the end. Iterative open
+        loop never survives less where the game is about the last capture; where the game is about
+        the sum, its `value` is never less than `planned_value`.
     survival_time : float
         Time of the last capture; inf if the game was stopped before it.
     planned_value, value : float
-        What the first plan made of the objective, and what came of it: guarantee and survival time
-        where that is the last capture.
+        Value of the objective by the first plan, and the value that was reached: guarantee and
+        survival time where the objective is the last capture.
     capture_sequence, capture_times : numpy.ndarray
         (C,) evaders in the order of their capture, and when; C = N unless the game was stopped.
     times : numpy.ndarray
@@ -84,15 +84,15 @@ class Game:
     evader_turns : numpy.ndarray
         (T, N) signed turns that are still planned; 0 for captured evaders.
     guarantees : numpy.ndarray
-        (T,) guaranteed survival time, from then on, of the plan that is flown.
+        (T,) guaranteed survival time, from that row on, of the plan that is flown.
     critical_sequences, pursuer_sequences : numpy.ndarray
-        (T, N) the order in which the plan flown would be captured earliest, and the order that the
-        pursuer has in mind, as far as its strategy tells; filled up with -1.
+        (T, N) the order in which the flown plan would be captured earliest, and the order that the
+        pursuer has in mind, if its strategy names one; filled up with -1.
     pursuer_positions : numpy.ndarray
         (T, 2). Against a hidden pursuer that the rules know as a disk only, a straight flight that
         explains each capture.
     disk_centers, disk_radii : numpy.ndarray
-        (T, 2) and (T,): where the pursuer can be, for all that the team knows.
+        (T, 2) and (T,): where the pursuer can be, by what the team knows.
     """
 
     team: Team
@@ -122,11 +122,4 @@ class Game:
 
     def outcome(self) -> Outcome:
         """Return what came of the game, without its course."""
-        return Outcome(
-            self.guarantee,
-            self.survival_time,
-            self.planned_value,
-            self.value,
-            self.capture_sequence,
-            self.capture_times,
-        )
+        return Outcome(*(getattr(self, name) for name in Outcome._fields))

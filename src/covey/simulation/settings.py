@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -28,14 +30,14 @@ class Settings:
     seed
         Whole number >= 0.
     time_limit
-        A game is stopped then; inf: never.
+        Time at which a game is stopped; inf: never.
     objective
-        What the team makes large, and the pursuer small.
+        What the team maximises and the pursuer minimises.
 
     Raises
     ------
     InputError
-        If one of them can't be used.
+        If a parameter can't be used.
     """
 
     sensing: str
@@ -54,7 +56,7 @@ class Settings:
         checked_objective(self.objective)
 
     def rules(self, disk: PursuerDisk, *, has_position: bool = False) -> Rules:
-        """Return the rules as the kernels see them, see there for `has_position`."""
+        """Return the rules for the kernels; `has_position` as there."""
         return Rules(
             disk.speed,
             disk.capture_radius,
@@ -65,8 +67,18 @@ class Settings:
         )
 
 
-def first_state(team: Team, disk: PursuerDisk, place: Floats | None = None) -> State:
-    """Return the state of a game at time 0; `place` (2,) is that of a pursuer that has one."""
+class GameSetup(NamedTuple):
+    """A game before it is played."""
+
+    team: Team
+    disk: PursuerDisk
+    settings: Settings
+    strategies: Mapping[str, Mapping[str, Any]]  # descriptions of both sides
+    position: Floats | None = None  # (2,) of the pursuer; None: the rules know it as a disk only
+
+
+def first_state(team: Team, disk: PursuerDisk, position: Floats | None = None) -> State:
+    """Return the state of a game at time 0; `position` (2,) is the pursuer's, if it has one."""
     x, y = disk.center.tolist()
     state = initial_state(team.as_rows(), x, y, disk.radius)
-    return state if place is None else state._replace(pursuer=np.array([*place, 0.0]))
+    return state if position is None else state._replace(pursuer=np.array([*position, 0.0]))

@@ -26,6 +26,7 @@ import numpy as np
 
 from covey.model import InputError, LastCapture, PursuerDisk, Team
 from covey.simulation.record import Game, GameStatus
+from covey.simulation.time_series import time_series
 
 FORMAT = 1
 """Number of this layout; a reader refuses a higher one, as it can't know what changed."""
@@ -67,13 +68,8 @@ def write_game(game: Game, file: BinaryIO) -> None:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    columns: dict[str, Any] = {}
-    for field, names in _columns(len(game.team)).items():
-        array = getattr(game, field)
-        flat = array.reshape(len(game.times), len(names))
-        columns |= {name: pa.array(flat[:, k]) for k, name in enumerate(names)}
     header = _header(game)
-    table = pa.table(columns)
+    table = pa.table({name: pa.array(column) for name, column in columns_of(game).items()})
     notes = {_KEY: header, _CHECKSUM_KEY: _checksum(header, table)}
     # Neighbouring floats share their high bytes, which a split by byte lays side by side.
     pq.write_table(
@@ -83,6 +79,15 @@ def write_game(game: Game, file: BinaryIO) -> None:
         use_dictionary=False,
         use_byte_stream_split=True,
     )
+
+
+def columns_of(game: Game) -> dict[str, Any]:
+    """Return the columns (T,) of a record's table by their names."""
+    columns: dict[str, Any] = {}
+    for field, series in time_series(len(game.team)).items():
+        names = np.ravel(series.columns).tolist()
+        columns |= dict(zip(names, getattr(game, field).reshape(-1, len(names)).T, strict=True))
+    return columns
 
 
 def load_game(path: str | os.PathLike[str]) -> Game:
@@ -104,18 +109,18 @@ def load_game(path: str | os.PathLike[str]) -> Game:
         If there is no such file, it isn't a record of a game, is damaged, or comes from a newer
         version of covey.
     """
-    place = Path(path)
+    source = Path(path)
     try:
-        content = place.read_bytes()
+        content = source.read_bytes()
     except OSError as error:
-        raise InputError(f"{place}: can't be read: {error.strerror}") from error
-    return read_game(content, str(place))
+        raise InputError(f"{source}: can't be read: {error.strerror}") from error
+    return read_game(content, str(source))
 
 
 def read_game(content: bytes, name: str) -> Game:
     """Return the record in the bytes of a file that `save_game` wrote, or raise InputError.
 
-    `name` is what the errors call it.
+    The errors call the file `name`.
     """
     if not content.startswith(_PARQUET_BEGINS):
         raise InputError(f"{name}: expected the record of a game, got a file that isn't Parquet")
@@ -139,19 +144,19 @@ def is_parquet(path: str | os.PathLike[str]) -> bool:
 @contextmanager
 def whole_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     """Open a file for writing that appears under its name when it is complete, or never."""
-    place = Path(path)
-    part = place.with_name(f".{place.name}.{secrets.token_hex(4)}.part")
+    target = Path(path)
+    part = target.with_name(f".{target.name}.{secrets.token_hex(4)}.part")
     try:
-        place.parent.mkdir(parents=True, exist_ok=True)
+        target.parent.mkdir(parents=True, exist_ok=True)
         with part.open("xb") as file:
             yield file
             file.flush()
             os.fsync(file.fileno())  # or a power cut could leave the name without the content
-        part.replace(place)
+        part.replace(target)
     except OSError as error:
-        # The name that the caller knows, not that of the part.
+        # The error names the caller's file, not the part.
         reason = error.strerror or str(error)
-        raise OSError(error.errno, f"can't be written: {reason}", str(place)) from error
+        raise OSError(error.errno, f"can't be written: {reason}", str(target)) from error
     finally:
         with suppress(OSError):  # the part became the file, or was never made
             part.unlink()
@@ -159,23 +164,6 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
 
 class _NotARecordError(Exception):
     """A sound Parquet file that isn't a record, or isn't one for this version."""
-
-
-def _columns(count: int) -> dict[str, list[str]]:
-    """Names of the columns that hold each array of a record, in the order of its last axes."""
-    team = range(count)
-    return {
-        "times": ["time"],
-        "guarantees": ["guarantee"],
-        "disk_centers": ["disk_x", "disk_y"],
-        "disk_radii": ["disk_radius"],
-        "pursuer_positions": ["pursuer_x", "pursuer_y"],
-        "evader_positions": [f"evader_{i}_{axis}" for i in team for axis in "xy"],
-        "evader_headings": [f"evader_{i}_heading" for i in team],
-        "evader_turns": [f"evader_{i}_turn" for i in team],
-        "critical_sequences": [f"critical_sequence_{k}" for k in team],
-        "pursuer_sequences": [f"pursuer_sequence_{k}" for k in team],
-    }
 
 
 def _header(game: Game) -> bytes:
@@ -190,12 +178,7 @@ def _header(game: Game) -> bytes:
         "objective": game.objective,
         "strategies": game.strategies,
         "status": game.status.name,
-        "guarantee": game.guarantee,
-        "survival_time": game.survival_time,
-        "planned_value": game.planned_value,
-        "value": game.value,
-        "capture_sequence": game.capture_sequence,
-        "capture_times": game.capture_times,
+        **game.outcome()._asdict(),
     }
     return json.dumps(_plain(header), allow_nan=False).encode()
 
@@ -232,12 +215,10 @@ def _read(content: bytes) -> tuple[dict[str, Any], Any]:
 def _game(header: Mapping[str, Any], table: Any) -> Game:
     team = Team(**header["team"])
     arrays = {}
-    for field, names in _columns(len(team)).items():
-        flat = np.column_stack([table.column(name).to_numpy() for name in names])
-        arrays[field] = flat
-    for field in ("times", "guarantees", "disk_radii"):
-        arrays[field] = arrays[field][:, 0]
-    arrays["evader_positions"] = arrays["evader_positions"].reshape(-1, len(team), 2)
+    for field, series in time_series(len(team)).items():
+        names = np.array(series.columns)
+        flat = np.column_stack([table.column(name).to_numpy() for name in names.ravel()])
+        arrays[field] = flat.reshape(-1, *names.shape)
     return Game(
         team=team,
         disk=PursuerDisk(**header["disk"]),

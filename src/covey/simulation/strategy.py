@@ -1,8 +1,7 @@
-"""What a strategy is: the small protocol behind which every player stands.
+"""The protocol of strategies.
 
-A strategy is a value. At the start of a game it is asked, with `start(seed)`, for the policy of
-that game: a function that is called at every decision. A plain function is a strategy too, if it
-needs no memory.
+A strategy is a value. At the start of a game its `start(seed)` returns the policy of that game: a
+function that is called at every decision. A plain function that needs no memory is a strategy too.
 """
 
 from __future__ import annotations
@@ -31,15 +30,15 @@ class Situation:
     team : Team
         The living, as they are now.
     disk : PursuerDisk
-        Where the pursuer can be, for all that the team knows. A visible pursuer is at the centre
-        of a disk of radius 0; at time 0 the radius may be larger.
+        Where the pursuer can be, by what the team knows. A visible pursuer is at the centre of a
+        disk of radius 0; at time 0 the radius may be larger.
     turns : numpy.ndarray
-        (n,) signed turns still to be flown of the plan announced last. For the team, it is the one
-        flown until now; for the pursuer, the one just announced.
+        (n,) signed turns still to be flown of the plan announced last. For the team, this is the
+        plan flown until now; for the pursuer, the plan just announced.
     objective : LastCapture or TotalSurvival or ExpectedSurvival
         What the game is about, in the numbers of the whole team.
     place : numpy.ndarray or None
-        (2,) where the pursuer is. None for the team, and for a pursuer that is a disk only.
+        (2,) position of the pursuer. None for the team, and for a pursuer that is a disk only.
     """
 
     time: float
@@ -52,7 +51,7 @@ class Situation:
 
     @property
     def pursuer(self) -> PursuerDisk:
-        """Where the pursuer can be, for all that this player knows."""
+        """Where the pursuer can be, by what this player knows."""
         if self.place is None:
             return self.disk
         return PursuerDisk(self.place, 0.0, self.disk.speed, self.disk.capture_radius)
@@ -60,7 +59,7 @@ class Situation:
 
 @dataclass(frozen=True)
 class Chase:
-    """The pursuer makes for the evaders in this order; until the next decision, for the first.
+    """Chase the evaders in this order; until the next decision, the first.
 
     Attributes
     ----------
@@ -73,7 +72,7 @@ class Chase:
 
 @dataclass(frozen=True)
 class Fly:
-    """A pursuer that has a place flies this velocity; one that is a disk only can but wait.
+    """Fly this velocity. A pursuer that is a disk only, without a position, can only wait.
 
     Attributes
     ----------
@@ -101,8 +100,8 @@ class TeamStrategy(Protocol):
 class PursuerStrategy(Protocol):
     """A strategy of the pursuer.
 
-    If it has a method `place(disk)` as well, the pursuer really is somewhere in the disk: at the
-    point (2,) that the method returns for the disk at time 0. From there it flies, hidden or not.
+    If the strategy also has a method `place(disk)`, the pursuer has a position. At time 0 this is
+    the point (2,) that the method returns for the disk; from there it flies, hidden or not.
     """
 
     def start(self, seed: int) -> PursuerPolicy:
@@ -119,26 +118,26 @@ def description(strategy: object) -> Mapping[str, Any]:
     return {"name": getattr(strategy, "__name__", type(strategy).__name__)}
 
 
-def place_of(strategy: object, disk: PursuerDisk) -> Floats | None:
-    """Return where a pursuer is at time 0, or None if its strategy leaves that open.
+def position_of(strategy: object, disk: PursuerDisk) -> Floats | None:
+    """Return the position of a pursuer at time 0, or None if its strategy gives none.
 
     Raises
     ------
     InputError
-        If it isn't in the disk.
+        If the position isn't in the disk.
     """
     choose = getattr(strategy, "place", None)
     if choose is None:
         return None
-    place = frozen_array("place returned by the pursuer's strategy", choose(disk), (2,))
-    distance = float(np.hypot(*(place - disk.center)))
+    position = frozen_array("place returned by the pursuer's strategy", choose(disk), (2,))
+    distance = float(np.hypot(*(position - disk.center)))
     rounding = 1e-12 * (disk.radius + float(np.abs(disk.center).max()))
     if distance > disk.radius + rounding:
         raise InputError(
             f"place returned by the pursuer's strategy: expected a point of the disk of radius "
             f"{disk.radius:g}, got one {distance:g} from its centre"
         )
-    return place
+    return position
 
 
 def policy_of(role: str, strategy: object, seed: int) -> Callable[[Situation], Any]:
@@ -147,7 +146,7 @@ def policy_of(role: str, strategy: object, seed: int) -> Callable[[Situation], A
     Raises
     ------
     InputError
-        If `strategy` is neither; `role` is the name of the argument that it came in.
+        If `strategy` is neither; `role` is the name of the argument that holds it.
     """
     start = getattr(strategy, "start", None)
     if isinstance(strategy, type):

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from covey.simulation import Game
-from covey.simulation.expected_captures import expected_in_game
+from covey.simulation.expected_captures import expected_at
 
 MAX_FRAMES = 1500
 """Of a replay: with more frames, a page loads more slowly and looks no smoother."""
@@ -50,7 +50,7 @@ def frame(game: Game, row: int) -> Json:
         "disk": [*game.disk_centers[row].tolist(), float(game.disk_radii[row])],
         "guarantee": float(game.guarantees[row]),
         "sequence": sequence.tolist(),
-        "expected": expected_in_game(game, row).tolist(),
+        "expected": expected_at(game, row).tolist(),
         "captured": [
             [int(i), float(time)]
             for i, time in zip(

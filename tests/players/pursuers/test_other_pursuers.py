@@ -115,15 +115,20 @@ def test_random_sequences_come_as_often_as_they_weigh():
 
 
 @BOTH
-def test_a_patient_pursuer_is_a_committed_one_without_margin(sensing):
+def test_an_uncommitted_pursuer_is_a_committed_one_without_margin(sensing):
     team, disk = random_game(np.random.default_rng(0), 4)
-    patient, free, python = (
+    uncommitted, free, python = (
         covey.simulate(team, disk, pursuer=each, sensing=sensing, update_time=0.05, time_limit=4.0)
         for each in (
-            covey.PatientPursuer(),
+            covey.UncommittedPursuer(),
             covey.CommittedPursuer(0.0),
-            covey.PatientPursuer().start(0),
+            covey.UncommittedPursuer().start(0),
         )
     )
-    assert np.array_equal(patient.pursuer_positions, free.pursuer_positions)
-    assert np.array_equal(patient.pursuer_positions, python.pursuer_positions)
+    assert np.array_equal(uncommitted.pursuer_positions, free.pursuer_positions)
+    assert np.array_equal(uncommitted.pursuer_positions, python.pursuer_positions)
+
+
+def test_its_old_name_is_an_alias():
+    with pytest.warns(DeprecationWarning, match="UncommittedPursuer"):
+        assert covey.PatientPursuer is covey.UncommittedPursuer

@@ -1,1 +1,5 @@
-"""Strategies of the pursuer."""
+"""Strategies of the pursuer.
+
+Read `commitment` first (how a pursuer follows a sequence), then `committed` (the paper's, section
+V.B) and `fixed_order`, then the pursuers of other kinds.
+"""

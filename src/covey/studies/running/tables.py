@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from covey.simulation import Game
+from covey.simulation.storage import columns_of
 from covey.simulation.strategy import description
 from covey.studies.design.study import GRID, Case, Study
 from covey.studies.running.games import StudyGame
@@ -95,25 +96,20 @@ def trajectories_table(study: Study, games: Iterable[StudyGame]) -> pa.Table:
 def _trajectory(number: int, record: Game, size: int) -> pa.Table:
     import pyarrow as pa
 
-    count = len(record.times)
-    columns = {
-        "time": record.times,
-        "guarantee": record.guarantees,
-        "disk_x": record.disk_centers[:, 0],
-        "disk_y": record.disk_centers[:, 1],
-        "disk_radius": record.disk_radii,
-        "pursuer_x": record.pursuer_positions[:, 0],
-        "pursuer_y": record.pursuer_positions[:, 1],
+    rows, columns = len(record.times), columns_of(record)
+    arrays = {
+        name: pa.array(columns[name].astype(np.float32))
+        if name in columns
+        else pa.nulls(rows, pa.float32())
+        for name in _trajectory_columns(size)
     }
-    for i in range(len(record.team)):
-        columns[f"evader_{i}_x"] = record.evader_positions[:, i, 0]
-        columns[f"evader_{i}_y"] = record.evader_positions[:, i, 1]
-        columns[f"evader_{i}_heading"] = record.evader_headings[:, i]
-    arrays = {name: pa.array(values.astype(np.float32)) for name, values in columns.items()}
-    for i in range(len(record.team), size):
-        for part in ("x", "y", "heading"):
-            arrays[f"evader_{i}_{part}"] = pa.nulls(count, pa.float32())
-    return pa.table({"game": pa.array(np.full(count, number)), **arrays})
+    return pa.table({"game": pa.array(np.full(rows, number)), **arrays})
+
+
+def _trajectory_columns(size: int) -> list[str]:
+    """Return the columns of a game's record that are kept, for teams of up to `size`."""
+    alone = ["time", "guarantee", "disk_x", "disk_y", "disk_radius", "pursuer_x", "pursuer_y"]
+    return alone + [f"evader_{k}_{part}" for k in range(size) for part in ("x", "y", "heading")]
 
 
 def encoded(table: pa.Table) -> bytes:
