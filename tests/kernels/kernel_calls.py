@@ -15,6 +15,7 @@ from covey.kernels.capture.derivatives import (
 from covey.kernels.capture.path import position, velocity
 from covey.kernels.capture.sequence import capture_times
 from covey.kernels.linalg import quadratic_program as qp
+from covey.kernels.linalg.active_set import QuadraticScratch
 from covey.kernels.linalg.symmetric import cholesky, make_positive
 from covey.kernels.maximum.values import minimum_over_sequences
 from covey.kernels.minimum.greedy_sequence import greedy_sequence, nearest_first
@@ -124,7 +125,7 @@ def best_step(values, gradients, factor, linear, lower, upper):
         np.asarray(upper, dtype=float),
     )
     solution = qp.Solution(np.empty(n), np.empty(m))
-    scratch = qp.QuadraticScratch(
+    scratch = QuadraticScratch(
         whitened=np.empty((m + 2 * n, n)),
         active=np.empty(n + 2, np.int64),
         multipliers=np.empty(n + 2),

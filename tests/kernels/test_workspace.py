@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 
@@ -9,7 +11,7 @@ import covey
 from covey.kernels.arrays import new_workspace
 from covey.kernels.maximum.values import minimum_over_sequences
 from covey.planning.guarantee import paths_of, pursuit_of
-from covey.planning.workspace import LARGEST_KEPT, workspace
+from covey.planning.workspace import LARGEST_KEPT, SMALL, workspace
 from random_games import random_game
 
 
@@ -38,8 +40,34 @@ def test_a_smaller_team_fits_into_the_workspace_of_a_larger_one():
     assert (time, tuple(sequence.tolist())) == (expected.time, expected.sequence)
 
 
-def test_a_thread_keeps_the_workspaces_of_small_teams_only():
+def test_a_thread_keeps_workspaces_and_one_large_one():
     assert workspace(5) is workspace(5)
     assert workspace(5) is not workspace(5, total=True)
-    large = LARGEST_KEPT + 1
-    assert workspace(large) is not workspace(large)
+    large = workspace(SMALL + 1)
+    assert workspace(SMALL + 1) is large
+    assert workspace(SMALL + 2) is workspace(SMALL + 2)
+    assert workspace(SMALL + 1) is not large
+    assert workspace(LARGEST_KEPT + 1) is not workspace(LARGEST_KEPT + 1)
+
+
+def test_each_thread_has_its_own():
+    with ThreadPoolExecutor(1) as executor:
+        assert executor.submit(workspace, 5).result() is not workspace(5)
+
+
+def test_a_policy_may_be_asked_from_any_thread():
+    """Two games whose team plans in one thread, then in another, at the same time."""
+    team, disk = random_game(np.random.default_rng(3), 6)
+    situations = [
+        covey.Situation(0.0, tuple(range(6)), team, disk, np.zeros(6)),
+        covey.Situation(0.01, tuple(range(6)), team, disk, np.full(6, 0.1)),
+    ]
+    strategy = covey.IterativeOpenLoop(starts=2)
+    alone = strategy.start(0)
+    expected = [alone(each) for each in situations]
+    policies = [strategy.start(0) for _ in range(8)]
+    for policy in policies:
+        policy(situations[0])
+    with ThreadPoolExecutor(8) as executor:
+        for turns in executor.map(lambda policy: policy(situations[1]), policies):
+            assert turns.tolist() == expected[1].tolist()

@@ -13,7 +13,7 @@ from numba.core import event
 Function = TypeVar("Function", bound=Callable[..., object])
 
 
-# - nogil: kernels touch no Python object, so threads may run them side by side.
+# - nogil: kernels touch no Python object, so threads may run them in parallel.
 # - error_model="numpy": a division by zero gives inf as in NumPy, and no test for it stands in the
 #   inner loops.
 # - no fastmath: the guarantee is compared with what happens to 1e-9, and the same game must give

@@ -71,7 +71,7 @@ class Plan:
         For each critical sequence the share with which it holds the plan where it is: the Lagrange
         multipliers of eq. (6), >= 0, summing to 1. For an expectation, their probabilities.
     starts, steps, interceptions : int
-        What the search cost: starts followed to the end, steps of sequential quadratic
+        What the search cost: ascents that ran to their end, steps of sequential quadratic
         programming, interceptions computed by the dynamic programme.
     """
 
@@ -112,15 +112,15 @@ def plan(
     seed
         Seed of the random starts. The same call gives the same plan, bit for bit.
     starts
-        How many starts are followed to their local maximum: the warm start, flight straight away
+        How many starts are improved to a local maximum: the warm start, flight straight away
         from the disk's centre, random ones, each the best of eight, and variations of the best
         plans so far. More starts include the fewer, and never give less. None: as many as find the
         best plan known in most games, see `default_starts`. From nine evaders on, four starts at a
-        time are followed side by side; the result is the same on any number of cores.
+        time run in parallel; the result is the same on any number of cores.
     tolerance
         An ascent ends when a step promises less than this, relative to the value.
     time_limit
-        Seconds after which no further start is followed; the first always is. None: no limit.
+        Seconds after which no further ascent begins; the first always runs. None: no limit.
     warm_start
         A Plan, or (N,) turns in [-π, π], to start from. The result is never worse than it.
 
@@ -140,7 +140,7 @@ def plan(
     -----
     The max-min of eq. (6) in the signed turns δ, where the guaranteed time is continuous.
     Sequential quadratic programming with exact second derivatives on a few capture sequences; a
-    dynamic programme over subsets finds the sequence that is missing (column generation). For the
+    dynamic programme over subsets finds the sequence that is missing (constraint generation). For the
     sum its states carry pairs (docs/decisions/0009); an expectation needs no search for the worst,
     and its ascents are Newton's method.
     The programme takes 16 N 2^N bytes for each of up to four cores, for the sum 40 N 2^N.

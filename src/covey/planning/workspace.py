@@ -9,8 +9,11 @@ import threading
 
 from covey.kernels.arrays import Workspace, new_workspace
 
-LARGEST_KEPT = 14
-"""Evaders up to which a workspace is kept: 6 MB, 16 MB with room for sums."""
+SMALL = 14
+"""Evaders up to which the workspaces of all sizes are kept: 6 MB, 16 MB with room for sums."""
+
+LARGEST_KEPT = 18
+"""Evaders up to which the last workspace is kept: 90 MB, 210 MB with room for sums."""
 
 _kept = threading.local()
 
@@ -25,5 +28,7 @@ def workspace(size: int, total: bool = False) -> Workspace:
         return new_workspace(size, total)
     kept: dict[tuple[int, bool], Workspace] = _kept.__dict__.setdefault("workspaces", {})
     if (size, total) not in kept:
+        for large in [key for key in kept if min(key[0], size) > SMALL]:
+            del kept[large]
         kept[size, total] = new_workspace(size, total)
     return kept[size, total]

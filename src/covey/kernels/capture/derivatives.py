@@ -71,12 +71,7 @@ def differentiate(
         (n,) by evader, time per radian; modified in place.
     """
     _set_geometry(paths, pursuit, sequence, captures)
-    _set_costates(pursuit, total, len(sequence), captures.rows)
-    rows = captures.rows
-    for k in range(len(sequence)):
-        gradient[sequence[k]] = (
-            rows[k, COSTATE_X] * rows[k, DPOSITION_X] + rows[k, COSTATE_Y] * rows[k, DPOSITION_Y]
-        )
+    _set_costates(pursuit, sequence, total, captures.rows, gradient)
 
 
 @inlined
@@ -102,9 +97,11 @@ def _set_geometry(paths: Floats, pursuit: Pursuit, sequence: Ints, captures: Cap
 
 
 @inlined
-def _set_costates(pursuit: Pursuit, total: bool, n: int, rows: Floats) -> None:
-    """Write the multiplier and the costate of each capture, from the last to the first."""
-    multiplier, next_x, next_y = 0.0, 0.0, 0.0
+def _set_costates(
+    pursuit: Pursuit, sequence: Ints, total: bool, rows: Floats, gradient: Floats
+) -> None:
+    """Write multiplier, costate and gradient of each capture, from the last to the first."""
+    n, multiplier, next_x, next_y = len(sequence), 0.0, 0.0, 0.0
     for k in range(n - 1, -1, -1):
         onward = 1.0 if total or k == n - 1 else 0.0
         if k < n - 1:
@@ -113,10 +110,9 @@ def _set_costates(pursuit: Pursuit, total: bool, n: int, rows: Floats) -> None:
         next_x, next_y = rows[k, NORMAL_X], rows[k, NORMAL_Y]
         multiplier = onward / _closing_speed(pursuit, next_x, next_y, rows, k)
         rows[k, MULTIPLIER] = multiplier
-        rows[k, COSTATE_X], rows[k, COSTATE_Y] = (
-            costate_x + multiplier * next_x,
-            costate_y + multiplier * next_y,
-        )
+        costate_x, costate_y = costate_x + multiplier * next_x, costate_y + multiplier * next_y
+        rows[k, COSTATE_X], rows[k, COSTATE_Y] = costate_x, costate_y
+        gradient[sequence[k]] = costate_x * rows[k, DPOSITION_X] + costate_y * rows[k, DPOSITION_Y]
 
 
 @inlined

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from covey.kernels._jit import compiled
+from covey.kernels._jit import compiled, inlined
 from covey.kernels.arrays import Floats
 from covey.kernels.capture.path import set_paths
 from covey.kernels.capture.sequence import objective_value
@@ -16,7 +16,7 @@ from covey.kernels.minimum.greedy_sequence import greedy_sequence, nearest_first
 from covey.kernels.minimum.inner_minimum import inner_minimum
 
 
-@compiled
+@inlined
 def maximise(
     problem: Problem,
     iterate: Iterate,

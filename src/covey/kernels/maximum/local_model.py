@@ -13,11 +13,10 @@ from typing import NamedTuple
 from covey.kernels._jit import compiled, inlined
 from covey.kernels.arrays import Floats, Workspace, floats, path_rows, rows
 from covey.kernels.capture.derivatives import Captures, add_curvature, differentiate
+from covey.kernels.linalg.active_set import QuadraticScratch, quadratic_scratch
 from covey.kernels.linalg.quadratic_program import (
     QuadraticProgram,
-    QuadraticScratch,
     Solution,
-    quadratic_scratch,
     solve_quadratic,
 )
 from covey.kernels.maximum.problem import Iterate, Problem

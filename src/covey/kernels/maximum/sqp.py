@@ -8,7 +8,6 @@ A step maximises the local model in a trust region, which shrinks when the gain 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
 from covey.kernels.maximum.curvature import HessianStatus, factor_hessian, multipliers_changed
@@ -16,14 +15,10 @@ from covey.kernels.maximum.local_model import (
     ModelScratch,
     best_step,
     build_model,
-    corrected_step,
-    linearise,
     power_of_two_scale,
 )
 from covey.kernels.maximum.problem import (
     CONVERGED,
-    INNER_SOLVES,
-    INTERCEPTIONS,
     STALLED,
     STEPS,
     STEPS_USED_UP,
@@ -31,51 +26,22 @@ from covey.kernels.maximum.problem import (
     Options,
     Problem,
 )
+from covey.kernels.maximum.step import Model, Points, Progress, make_exact, take_step
 from covey.kernels.maximum.trial import (
     MIN_RADIUS,
     AscentScratch,
     accept,
     best_escape_step,
     evaluate,
-    evaluate_sequence,
     longest_change,
-    try_step,
     updated_radius,
 )
-from covey.kernels.maximum.working_set import Evaluation, WorkingSet, add
-from covey.kernels.minimum.inner_minimum import inner_minimum
+from covey.kernels.maximum.working_set import Evaluation
 
-_MAX_CORRECTIONS = 3
 _ROUNDING, _REFUTED = 1e-12, 1e-9  # relative
-_MIN_GAIN_RATIO = 0.8  # below, a step is corrected
 
 _REBUILD, _STOP, _STEP = range(3)
 """What follows where the model predicts no gain."""
-
-
-class Points(NamedTuple):
-    """The working set at the iterate and at the trial. An accepted step swaps the two."""
-
-    here: Evaluation
-    there: Evaluation
-
-
-class Progress(NamedTuple):
-    """What is known at the iterate."""
-
-    value: float  # exact, or the working set's, which is an upper bound
-    is_exact: bool
-    lower_bound: float  # of the exact value at the first iterate; -inf: unknown
-    bound_attained: bool  # the first iterate's value is the lower bound, and no step was taken
-    is_reweighted: bool  # the Hessian has been weighted with the multipliers found here
-
-
-class Model(NamedTuple):
-    """How the local model was made, and what its best step promises."""
-
-    scale: float  # power of two that the times are multiplied by
-    hessian: HessianStatus
-    predicted: float  # value of the model at its best step
 
 
 @compiled
@@ -137,7 +103,7 @@ def solve_sqp(
                 is_stale, status = True, CONVERGED if action == _STOP else STEPS_USED_UP
                 continue
         steps += 1
-        trial, value = _step(problem, iterate, options, progress, model, points, scratch)
+        trial, value = take_step(problem, iterate, options, progress, model, points, scratch)
         gain_ratio = (trial - value) / (model.predicted - value)
         longest = longest_change(iterate, scratch)
         is_stale = gain_ratio > 0.0
@@ -153,7 +119,7 @@ def solve_sqp(
     scratch.counters[STEPS] += steps
     value = progress.value
     if not progress.is_exact:
-        value, _ = _make_exact(problem, iterate.working_set, points.here, value, scratch)
+        value, _ = make_exact(problem, iterate.working_set, points.here, value, scratch)
     for s in range(iterate.working_set.used[0]):
         iterate.working_set.values[s] = points.here.values[s]
     return value, status
@@ -175,7 +141,7 @@ def _start(
     if attained:
         value = lower_bound
     if iterate.working_set.used[0] == 0:
-        value, _ = _make_exact(problem, iterate.working_set, here, value, scratch)
+        value, _ = make_exact(problem, iterate.working_set, here, value, scratch)
         return Progress(value, True, lower_bound, attained, False)
     return Progress(value, attained, lower_bound, attained, False)
 
@@ -229,7 +195,7 @@ def _without_gain(
     value, working_set, lower_bound = progress.value, iterate.working_set, progress.lower_bound
     attained, is_reweighted = progress.bound_attained, progress.is_reweighted
     if not progress.is_exact:
-        value, added = _make_exact(problem, working_set, points.here, value, scratch)
+        value, added = make_exact(problem, working_set, points.here, value, scratch)
         progress = Progress(value, True, lower_bound, attained, is_reweighted)
         if added >= 0:
             return _REBUILD, progress, model
@@ -243,44 +209,8 @@ def _without_gain(
 
 
 @inlined
-def _step(
-    problem: Problem,
-    iterate: Iterate,
-    options: Options,
-    progress: Progress,
-    model: Model,
-    points: Points,
-    scratch: AscentScratch,
-) -> tuple[float, float]:
-    """Try the step; correct it where the gain falls short, also for sequences that are added.
-
-    Returns the value of the trial, which is exact if it is above the iterate's; and the iterate's
-    value, which a sequence that is added may lower unless that value is exact.
-    """
-    here, there, value, working_set = points.here, points.there, progress.value, iterate.working_set
-    trial = try_step(problem, iterate, there, scratch)
-    for _ in range(_MAX_CORRECTIONS):
-        falls_short = trial - value < _MIN_GAIN_RATIO * (model.predicted - value)
-        if working_set.used[0] > 1 and falls_short:
-            value_to_beat = max(trial, value)
-            trial = _correct(problem, iterate, options.radius, model, value_to_beat, there, scratch)
-        if trial <= value:
-            break
-        trial, added = _make_exact(problem, working_set, there, trial, scratch)
-        if added < 0:
-            break
-        added_value = evaluate_sequence(problem, working_set, added, here)
-        linearise(problem, working_set, here, added, model.scale, scratch.model)
-        if not progress.is_exact:
-            value = min(value, added_value)
-        if trial > value:
-            break
-    return trial, value
-
-
-@inlined
 def _after_step(progress: Progress, trial: float, value: float, accepted: bool) -> Progress:
-    """What is known after a step from an iterate that is worth `value`, perhaps to the trial."""
+    """What is known after a step from an iterate of this value, which reached the trial or not."""
     if accepted:
         return Progress(trial, True, progress.lower_bound, False, False)
     return Progress(value, progress.is_exact, progress.lower_bound, False, progress.is_reweighted)
@@ -310,52 +240,3 @@ def _is_last(
 @inlined
 def _with_radius(options: Options, radius: float) -> Options:
     return Options(radius, options.tolerance, options.max_steps)
-
-
-@compiled
-def _correct(
-    problem: Problem,
-    iterate: Iterate,
-    radius: float,
-    model: Model,
-    value_to_beat: float,
-    there: Evaluation,
-    scratch: AscentScratch,
-) -> float:
-    """Replace the trial by its second-order correction where that is above `value_to_beat`."""
-    n = len(iterate.turns)
-    for i in range(n):
-        scratch.first_turns[i] = scratch.turns[i]
-    trial = scratch.turns[:n]
-    corrected_step(iterate, trial, there.values, radius, model.scale, scratch.model)
-    corrected = try_step(problem, iterate, there, scratch)
-    if corrected > value_to_beat:
-        return corrected
-    for i in range(n):
-        scratch.turns[i] = scratch.first_turns[i]
-    return evaluate(problem, trial, iterate.working_set, there)
-
-
-@compiled
-def _make_exact(
-    problem: Problem,
-    working_set: WorkingSet,
-    point: Evaluation,
-    bound: float,
-    scratch: AscentScratch,
-) -> tuple[float, int]:
-    """Return the inner minimum, where `bound` is the minimum over the working set.
-
-    Returns also the row of the sequence that is added because it is below the bound, or -1.
-    """
-    n, total = len(problem.evaders), problem.objective.total
-    worst, added = scratch.worst[:n], -1
-    least, interceptions = inner_minimum(
-        point.paths[:n], problem.pursuit, total, bound, worst, scratch.inner
-    )
-    if least < bound:
-        added = add(working_set, worst, point.values)
-        evaluate_sequence(problem, working_set, added, point)
-    scratch.counters[INNER_SOLVES] += 1
-    scratch.counters[INTERCEPTIONS] += interceptions
-    return least, added

@@ -154,7 +154,9 @@ class Replanning:
                 break
         turns = situation.turns.copy()
         problem = Problem(situation.team.as_rows(), pursuit_of(situation.disk), memory.objective)
-        replan(problem, options, memory, spent, restarts, turns, self._workspace)
+        # The next call may come from another thread, which has workspaces of its own.
+        scratch = workspace(self._size, memory.objective.total)
+        replan(problem, options, memory, spent, restarts, turns, scratch)
         memory.last[0] = situation.time
         if not self._same_game:
             memory.last[1] = -math.inf
@@ -171,7 +173,7 @@ class Replanning:
         self._living = situation.evaders
         self._memory = first_memory(first, self._seed, self._strategy.restarts)
         self._memory.last[0] = situation.time
-        self._workspace = workspace(len(first.turns), self._memory.objective.total)
+        self._size = len(first.turns)
         return np.array(first.turns)
 
 

@@ -1,0 +1,132 @@
+"""One step of an ascent: tried, corrected where the gain falls short, and made exact."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from covey.kernels._jit import compiled, inlined
+from covey.kernels.maximum.curvature import HessianStatus
+from covey.kernels.maximum.local_model import corrected_step, linearise
+from covey.kernels.maximum.problem import (
+    INNER_SOLVES,
+    INTERCEPTIONS,
+    Iterate,
+    Options,
+    Problem,
+)
+from covey.kernels.maximum.trial import AscentScratch, evaluate, evaluate_sequence, try_step
+from covey.kernels.maximum.working_set import Evaluation, WorkingSet, add
+from covey.kernels.minimum.inner_minimum import inner_minimum
+
+_MAX_CORRECTIONS = 3
+_MIN_GAIN_RATIO = 0.8  # below, a step is corrected
+
+
+class Points(NamedTuple):
+    """The working set at the iterate and at the trial. An accepted step swaps the two."""
+
+    here: Evaluation
+    there: Evaluation
+
+
+class Progress(NamedTuple):
+    """What is known at the iterate."""
+
+    value: float  # exact, or the working set's, which is an upper bound
+    is_exact: bool
+    lower_bound: float  # of the exact value at the first iterate; -inf: unknown
+    bound_attained: bool  # the first iterate's value is the lower bound, and no step was taken
+    is_reweighted: bool  # the Hessian has been weighted with the multipliers found here
+
+
+class Model(NamedTuple):
+    """How the local model was made, and what its best step promises."""
+
+    scale: float  # power of two that the times are multiplied by
+    hessian: HessianStatus
+    predicted: float  # value of the model at its best step
+
+
+@inlined
+def take_step(
+    problem: Problem,
+    iterate: Iterate,
+    options: Options,
+    progress: Progress,
+    model: Model,
+    points: Points,
+    scratch: AscentScratch,
+) -> tuple[float, float]:
+    """Try the step; correct it where the gain falls short, also for sequences that are added.
+
+    Returns the value of the trial, which is exact if it is above the iterate's; and the iterate's
+    value, which a sequence that is added may lower unless that value is exact.
+    """
+    here, there, value, working_set = points.here, points.there, progress.value, iterate.working_set
+    trial = try_step(problem, iterate, there, scratch)
+    for _ in range(_MAX_CORRECTIONS):
+        falls_short = trial - value < _MIN_GAIN_RATIO * (model.predicted - value)
+        if working_set.used[0] > 1 and falls_short:
+            value_to_beat = max(trial, value)
+            trial = _correct(problem, iterate, options.radius, model, value_to_beat, there, scratch)
+        if trial <= value:
+            break
+        trial, added = make_exact(problem, working_set, there, trial, scratch)
+        if added < 0:
+            break
+        added_value = evaluate_sequence(problem, working_set, added, here)
+        linearise(problem, working_set, here, added, model.scale, scratch.model)
+        if not progress.is_exact:
+            value = min(value, added_value)
+        if trial > value:
+            break
+    return trial, value
+
+
+@compiled
+def _correct(
+    problem: Problem,
+    iterate: Iterate,
+    radius: float,
+    model: Model,
+    value_to_beat: float,
+    there: Evaluation,
+    scratch: AscentScratch,
+) -> float:
+    """Replace the trial by its second-order correction where that is above `value_to_beat`."""
+    n = len(iterate.turns)
+    for i in range(n):
+        scratch.first_turns[i] = scratch.turns[i]
+    trial = scratch.turns[:n]
+    corrected_step(iterate, trial, there.values, radius, model.scale, scratch.model)
+    corrected = try_step(problem, iterate, there, scratch)
+    if corrected > value_to_beat:
+        return corrected
+    for i in range(n):
+        scratch.turns[i] = scratch.first_turns[i]
+    return evaluate(problem, trial, iterate.working_set, there)
+
+
+@compiled
+def make_exact(
+    problem: Problem,
+    working_set: WorkingSet,
+    point: Evaluation,
+    bound: float,
+    scratch: AscentScratch,
+) -> tuple[float, int]:
+    """Return the inner minimum, where `bound` is the minimum over the working set.
+
+    Returns also the row of the sequence that is added because it is below the bound, or -1.
+    """
+    n, total = len(problem.evaders), problem.objective.total
+    worst, added = scratch.worst[:n], -1
+    least, interceptions = inner_minimum(
+        point.paths[:n], problem.pursuit, total, bound, worst, scratch.inner
+    )
+    if least < bound:
+        added = add(working_set, worst, point.values)
+        evaluate_sequence(problem, working_set, added, point)
+    scratch.counters[INNER_SOLVES] += 1
+    scratch.counters[INTERCEPTIONS] += interceptions
+    return least, added
