@@ -140,10 +140,10 @@ def plan(
     -----
     The max-min of eq. (6) in the signed turns δ, where the guaranteed time is continuous.
     Sequential quadratic programming with exact second derivatives on a few capture sequences; a
-    dynamic programme over subsets finds the sequence that is missing (constraint generation). For the
-    sum its states carry pairs (docs/decisions/0009); an expectation needs no search for the worst,
-    and its ascents are Newton's method.
-    The programme takes 16 N 2^N bytes for each of up to four cores, for the sum 40 N 2^N.
+    dynamic programme over subsets finds the sequence that is missing (constraint generation). For
+    the sum the states of the programme carry pairs (docs/decisions/0009). An expectation needs no
+    search for the worst sequence, and its ascents are Newton's method. The programme takes
+    16 N 2^N bytes for each of up to four cores, for the sum 40 N 2^N.
     """
     check_game(team, disk)
     number("tolerance", tolerance, low=0.0, strictly=True)
