@@ -43,6 +43,17 @@ def capture_on_line(
     Positive root of (v_p^2 - v^2) s^2 - 2 b s - outside = 0, without cancellation; `disk.time`
     where the evader is in the disk. Written without branches, so that the compiler can take several
     evaders at a time.
+
+    Parameters
+    ----------
+    line_x, line_y
+        The line at time 0, lengths.
+    velocity_x, velocity_y
+        Of the evader.
+    closing
+        v_p^2 - v^2 > 0.
+    disk
+        The growing disk.
     """
     start, radius = disk.time, disk.radius
     gap_x = line_x + velocity_x * start - disk.x

@@ -90,6 +90,21 @@ def next_captures(
     """Write when evader i, on each of its paths, is captured `latest`, and by which predecessor.
 
     The pursuer comes from evader `previous`, captured at `earlier` on each of that evader's paths.
+
+    Parameters
+    ----------
+    paths
+        (N * nodes, PATH), see `Grid`.
+    pursuit
+        The pursuer.
+    previous, i
+        Numbers of two evaders that are captured one after the other.
+    earlier
+        (nodes,) capture times of `previous`, by its path.
+    latest
+        (nodes,) capture times of i, by its path; modified in place.
+    predecessor
+        (nodes,) the path of `previous` that delays i most; modified in place.
     """
     nodes = len(latest)
     for j in range(nodes):

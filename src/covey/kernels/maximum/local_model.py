@@ -127,7 +127,23 @@ def linearise(
     scale: float,
     scratch: ModelScratch,
 ) -> None:
-    """Write the gradient of sequence s, and the multiplier with which the Hessian weights it."""
+    """Write the gradient of sequence s, and the multiplier with which the Hessian weights it.
+
+    Parameters
+    ----------
+    problem
+        The living evaders (n), the pursuit, the objective.
+    working_set
+        Sequences and multipliers.
+    here
+        Paths and capture times at the iterate.
+    s
+        Row of the working set.
+    scale
+        Power of two that the times are multiplied by.
+    scratch
+        `gradients[s]` and `weights[s]` are modified in place.
+    """
     n = len(problem.evaders)
     scratch.weights[s] = working_set.weights[s]
     differentiate(
@@ -173,6 +189,21 @@ def corrected_step(
     again. Each sequence's own curvature differs from the Lagrangian's. So where several sequences
     are active, their minimum falls short of the prediction, however small the step (the Maratos
     effect).
+
+    Parameters
+    ----------
+    iterate
+        (n,) turns, and the working set, whose multipliers are modified in place.
+    trial
+        (n,) turns after the first step.
+    trial_values
+        (m,) objective of each sequence there.
+    radius
+        Of the trust region, radians.
+    scale
+        Power of two that the times are multiplied by.
+    scratch
+        Holds the model; `step` is modified in place.
     """
     turns = iterate.turns
     for s in range(iterate.working_set.used[0]):

@@ -59,8 +59,25 @@ def take_step(
 ) -> tuple[float, float]:
     """Try the step; correct it where the gain falls short, also for sequences that are added.
 
-    Returns the value of the trial, which is exact if it is above the iterate's; and the iterate's
-    value, which a sequence that is added may lower unless that value is exact.
+    Parameters
+    ----------
+    problem, iterate, options
+        As for `solve_sqp`. The working set is modified in place.
+    progress
+        What is known at the iterate.
+    model
+        The local model, and the value that it predicts.
+    points
+        The working set at the iterate and at the trial, both modified in place.
+    scratch
+        Holds the step; the trial is written to `turns`.
+
+    Returns
+    -------
+    float
+        Value of the trial, exact if it is above the iterate's.
+    float
+        Value of the iterate. A sequence that is added lowers it, unless it is exact.
     """
     here, there, value, working_set = points.here, points.there, progress.value, iterate.working_set
     trial = try_step(problem, iterate, there, scratch)

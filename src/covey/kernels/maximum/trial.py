@@ -127,7 +127,28 @@ def best_escape_step(
     scale: float,
     scratch: AscentScratch,
 ) -> float:
-    """Write the escape of the largest value, see `curvature`; return that value, or -inf."""
+    """Write the escape of the largest value, see `curvature`; return that value.
+
+    Parameters
+    ----------
+    problem
+        The living evaders (n), the pursuit, the objective.
+    iterate
+        (n,) turns and working set.
+    here
+        The working set at the iterate.
+    there
+        Modified in place.
+    scale
+        Power of two that the times are multiplied by.
+    scratch
+        The escape is written to `model.step`, and the last that was tried to `turns`.
+
+    Returns
+    -------
+    float
+        The value after the escape; -inf where there is none.
+    """
     n, best, highest = len(iterate.turns), -1, -math.inf
     count = escape_count(n, iterate.working_set, here.values, scale, scratch.model)
     for escape in range(count):

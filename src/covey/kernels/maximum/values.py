@@ -20,7 +20,23 @@ def minimum_over_sequences(
     sequence: Ints,
     workspace: Workspace,
 ) -> float:
-    """Return the inner minimum on given paths if it is below `bound`, see `inner_minimum`."""
+    """Return the inner minimum on given paths if it is below `bound`, else `bound`.
+
+    Parameters
+    ----------
+    paths
+        (n, PATH).
+    pursuit
+        The pursuer.
+    total
+        Whether the sum of all capture times is minimised; else the last capture.
+    bound
+        inf, or an upper bound.
+    sequence
+        (n,) the order that attains the minimum; modified in place where one beats the bound.
+    workspace
+        With room for n evaders, and for sums where `total`; modified in place.
+    """
     scratch = search_scratch(workspace).ascent.inner
     value, _ = inner_minimum(paths, pursuit, total, bound, sequence, scratch)
     return value

@@ -64,9 +64,22 @@ def fly_pursuers(
     memories: TeamMemory,
     workspace: Workspace,
 ) -> None:
-    """Fly each pursuer at its velocity (B, 2); each team flies its plan, and replans.
+    """Fly each pursuer of a batch at its velocity; each team flies its plan, and replans.
 
-    Each team has `memories` of its own.
+    Parameters
+    ----------
+    states
+        Of B games; modified in place.
+    rules
+        Of all games.
+    velocities
+        (B, 2) of the pursuers.
+    team
+        How the teams replan.
+    memories
+        Of the teams, an axis of B games in front; modified in place.
+    workspace
+        With room for all evaders of a game; modified in place.
     """
     for b in range(len(velocities)):
         state = game_of(states, b)

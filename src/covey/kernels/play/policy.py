@@ -47,7 +47,20 @@ def replan_if_due(
 ) -> None:
     """Let the living replan where that is due: after the interval, and after each capture.
 
-    `captured_row` is the row of the evader that was captured and has been removed, or `NOBODY`.
+    Parameters
+    ----------
+    state
+        Of the game; `turns` is modified in place.
+    rules
+        Of the game.
+    options
+        How the team plans.
+    memory
+        Modified in place.
+    captured_row
+        Row of the evader that was captured and has been removed, or `NOBODY`.
+    workspace
+        With room for all evaders; modified in place.
     """
     n, after_capture = state.alive[0], captured_row != NOBODY
     if after_capture:
@@ -74,7 +87,24 @@ def replan(
     """Improve the turns (n,) that are flown, from them and from other initial guesses.
 
     The value of the given turns is at least the last plan's value less what was `spent` since,
-    whatever a pursuer did that keeps to the rules. The new value is written to `memory.last[1]`.
+    whatever a pursuer did that keeps to the rules.
+
+    Parameters
+    ----------
+    problem
+        The living evaders (n), the pursuit, the objective.
+    options
+        How the team plans.
+    memory
+        Working set and `last[1]`, the value, are modified in place.
+    spent
+        By how much the value of the last plan has fallen since.
+    restarts
+        How many initial guesses are improved too.
+    turns
+        (n,) still to be flown, radians; modified in place.
+    workspace
+        With room for n evaders; modified in place.
     """
     steps = options.max_steps if restarts > 0 else min(options.max_steps, UPDATE_STEPS)
     value, _, _, _ = refine(

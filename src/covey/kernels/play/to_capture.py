@@ -38,9 +38,26 @@ def play_to_capture(
 ) -> bool:
     """Play on until the evader in row `target` is captured, and let the team replan.
 
-    With a `delay` the capture waits for an update: the first that comes at least that time after
-    the first update at which the disk contains the evader. Returns False if that takes too many
-    updates.
+    Parameters
+    ----------
+    state
+        Of the game; modified in place.
+    rules
+        Of the game.
+    team, memory
+        How the team replans, and its memory, which is modified in place.
+    target
+        Row of a living evader.
+    delay
+        The capture waits for the first update that comes at least this time after the first update
+        at which the disk contains the evader; 0: the capture comes as soon as it can.
+    workspace
+        With room for all evaders; modified in place.
+
+    Returns
+    -------
+    bool
+        False if that takes too many updates.
     """
     contained_since = math.inf
     for _ in range(MOST_UPDATES):
