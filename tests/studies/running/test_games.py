@@ -11,7 +11,7 @@ import pytest
 import covey
 from covey.studies import AsVisible, Study, run_study
 from covey.studies.analysis.summary import summary
-from covey.studies.design.study import Case
+from covey.studies.design.case import Case
 from covey.studies.running.games import play_start
 from studies.small_studies import small_study
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from covey.studies.design.study import GRID
+from covey.studies.design.case import GRID
 from covey.studies.running.results import StudyResult
 from covey.studies.running.tables import described_text
 from covey.studies.statistics import Estimate

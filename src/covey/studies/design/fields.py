@@ -26,9 +26,9 @@ from covey.scenarios.values import (
 )
 from covey.simulation.settings import SENSING
 from covey.studies.design.as_visible import AsVisible
+from covey.studies.design.case import GRID
 from covey.studies.design.consistency import inconsistencies
 from covey.studies.design.start_table import FromFile
-from covey.studies.design.study import GRID, Study, plain
 
 _HEADINGS = Annotated[str, one_of(*HEADINGS)]
 _SHAPE = Annotated[str, one_of(*SHAPES)]
@@ -61,28 +61,34 @@ _TYPES: dict[str, Any] = {
 """The type of each field of `Study`."""
 
 
-def _table(name: str, keys: Iterable[str], **tables: Any) -> type[Section]:
-    """Return the model of a table of these fields, with the defaults of `Study`."""
-    typed: dict[str, Any] = {
-        key: (_TYPES[key], Field(plain(getattr(Study, key)), validate_default=True)) for key in keys
+def study_model(defaults: Mapping[str, Any]) -> type[Section]:
+    """Return the model of a study file; fields without a default must be given."""
+    grid = create_model("GridTable", __base__=Section, **_typed(GRID, defaults))
+    top = _typed([key for key in _TYPES if key not in GRID], defaults)
+    return create_model(
+        "StudyFile", __base__=Section, **top, grid=(grid, Field(default_factory=grid))
+    )
+
+
+def _typed(keys: Iterable[str], defaults: Mapping[str, Any]) -> dict[str, Any]:
+    """Return type and default of some fields."""
+    return {
+        key: (_TYPES[key], Field(defaults.get(key, ...), validate_default=True)) for key in keys
     }
-    return create_model(name, __base__=Section, **typed, **tables)
 
 
-GridTable = _table("GridTable", GRID)
-StudyFile = _table(
-    "StudyFile",
-    [key for key in _TYPES if key not in GRID],
-    grid=(GridTable, Field(default_factory=GridTable)),
-)
+ALL_GIVEN = study_model({})
+"""The model of the arguments of `Study`, none of which is left out."""
 
 
-def read_fields(document: Mapping[str, Any]) -> tuple[dict[str, Any], list[Mistake]]:
+def read_fields(
+    document: Mapping[str, Any], model: type[Section]
+) -> tuple[dict[str, Any], list[Mistake]]:
     """Return the values of all fields from the tables of a study file, and all mistakes there."""
     try:
-        file = StudyFile.model_validate(document)
+        file = model.model_validate(document)
     except ValidationError as error:
-        return {}, list(mistakes_of(error, StudyFile, document))
+        return {}, list(mistakes_of(error, model, document))
     values = dict(file)
     values |= dict(values.pop("grid"))
     return values, list(inconsistencies(values))

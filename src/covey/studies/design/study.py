@@ -7,48 +7,17 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from itertools import product
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from covey.model import LastCapture, Objective, PursuerDisk, Team
+from covey.model import LastCapture
 from covey.model.validation import InputError
 from covey.players import CommittedPursuer, IterativeOpenLoop
 from covey.scenarios.samplers import Sampler, Square
-from covey.simulation import PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStrategy
 from covey.simulation.strategy import description
-from covey.studies.design.as_visible import AsVisible
+from covey.studies.design.case import GRID, Case, InitialState
 from covey.studies.design.start_table import FromFile
-
-AnyTeam = TeamStrategy | TeamPolicy
-AnyPursuer = PursuerStrategy | PursuerPolicy | AsVisible
-
-
-class Case(NamedTuple):
-    """One combination of the grid: all of a game but its start."""
-
-    team_size: int
-    speed: float
-    turn_rate: float
-    pursuer_speed: float
-    disk_radius: float
-    capture_radius: float
-    update_time: float
-    sensing: str
-    objective: Objective
-    evaders: AnyTeam
-    pursuer: AnyPursuer
-
-
-GRID = Case._fields
-
-
-class InitialState(NamedTuple):
-    """Where a team starts, and the seed of the searches for its plans."""
-
-    positions: Any  # (N, 2)
-    headings: Any  # (N,)
-    seed: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,11 +75,11 @@ class Study:
     def __post_init__(self) -> None:
         """Check all fields, and make each of the grid a tuple."""
         # Imported here: the study of a worker is checked already, and needs no pydantic.
-        from covey.studies.design.fields import read_fields
+        from covey.studies.design.fields import ALL_GIVEN, read_fields
 
         given = {field.name: getattr(self, field.name) for field in fields(self)}
         grid = {name: _kept(given.pop(name)) for name in GRID}
-        values, mistakes = read_fields({**given, "grid": grid})
+        values, mistakes = read_fields({**given, "grid": grid}, ALL_GIVEN)
         if mistakes:
             lines = [str(mistake).removeprefix("grid.") for mistake in mistakes]
             raise InputError("study: " + "\n  ".join(lines))
@@ -151,14 +120,6 @@ class Study:
 def _kept(value: object) -> object:
     """List what an iterator gives: mistakes are looked up in the values a second time."""
     return list(value) if isinstance(value, Iterator) else value
-
-
-def game_of(case: Case, start: InitialState) -> tuple[Team, PursuerDisk]:
-    """Return the state of a game at time 0."""
-    return (
-        Team(start.positions, start.headings, case.speed, case.turn_rate),
-        PursuerDisk((0.0, 0.0), case.disk_radius, case.pursuer_speed, case.capture_radius),
-    )
 
 
 def plain(value: object) -> object:

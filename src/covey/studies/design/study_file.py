@@ -8,15 +8,19 @@ starts, seed, sampler, trajectories
 from __future__ import annotations
 
 import os
+from dataclasses import fields
 from pathlib import Path
 
 from covey.scenarios.examples import Examples
 from covey.scenarios.load import read_document
 from covey.scenarios.mistakes import require_none
-from covey.studies.design.fields import read_fields
-from covey.studies.design.study import Study
+from covey.studies.design.fields import read_fields, study_model
+from covey.studies.design.study import Study, plain
 
 _STUDIES = Examples(Path(__file__).parents[1] / "examples")
+StudyFile = study_model({field.name: plain(field.default) for field in fields(Study)})
+"""The model of a study file, with the defaults of `Study`."""
+
 example_names, example_path = _STUDIES.names, _STUDIES.path
 
 
@@ -35,6 +39,6 @@ def read_study(path: str | os.PathLike[str]) -> Study:
         wanted, what came.
     """
     file = Path(path)
-    values, mistakes = read_fields(read_document(file, "a study"))
+    values, mistakes = read_fields(read_document(file, "a study"), StudyFile)
     require_none(mistakes, file)
     return Study(**values)

@@ -9,7 +9,8 @@ from covey.model import PursuerDisk, Team
 from covey.players import simulate, survival
 from covey.simulation import Game, Outcome
 from covey.studies.design.as_visible import AsVisible
-from covey.studies.design.study import Case, InitialState, Study, game_of
+from covey.studies.design.case import Case, InitialState, game_of
+from covey.studies.design.study import Study
 
 
 class StudyGame(NamedTuple):

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from covey.model import InputError, LastCapture
-from covey.studies.design.study import GRID
+from covey.studies.design.case import GRID
 from covey.studies.running.manifest import NAME, read_manifest
 from covey.studies.running.result_files import part_files
 from covey.studies.running.tables import TRAJECTORIES, decoded

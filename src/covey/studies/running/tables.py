@@ -16,7 +16,8 @@ import numpy as np
 from covey.simulation import Game
 from covey.simulation.storage import columns_of
 from covey.simulation.strategy import description
-from covey.studies.design.study import GRID, Case, Study
+from covey.studies.design.case import GRID, Case
+from covey.studies.design.study import Study
 from covey.studies.running.games import StudyGame
 
 if TYPE_CHECKING:
