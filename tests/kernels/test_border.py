@@ -1,0 +1,49 @@
+"""What crosses from a kernel to Python is a number, a plain tuple of numbers, or nothing.
+
+A compiled function that returns a record to Python crashes the interpreter when a signal is
+pending.
+"""
+
+from __future__ import annotations
+
+import ast
+import importlib
+from pathlib import Path
+
+import pytest
+
+import covey
+
+PACKAGE = Path(covey.__file__).parent
+SCALARS = {"float", "int", "bool", "None"}
+
+
+def imported_names():
+    """Every name that another room imports from a kernel's file, as (module, name)."""
+    found = set()
+    for source in PACKAGE.rglob("*.py"):
+        if PACKAGE / "kernels" in source.parents:
+            continue
+        for node in ast.walk(ast.parse(source.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("covey.kernels"):
+                found |= {(node.module, alias.name) for alias in node.names}
+    return sorted(found)
+
+
+def compiled_functions():
+    """The kernels among them: name, decorator, and what the function is annotated to return."""
+    for module, name in imported_names():
+        source = Path(importlib.import_module(module).__file__).read_text(encoding="utf-8")
+        for node in ast.parse(source).body:
+            if isinstance(node, ast.FunctionDef) and node.name == name and node.decorator_list:
+                yield name, ast.unparse(node.decorator_list[0]), ast.unparse(node.returns)
+
+
+@pytest.mark.parametrize(("name", "decorator", "returned"), compiled_functions())
+def test_no_kernel_returns_a_record_to_python(name, decorator, returned):
+    assert decorator == "compiled", "only such kernels have a Python wrapper and stay on disk"
+    assert set(returned.removeprefix("tuple[").removesuffix("]").split(", ")) <= SCALARS
+
+
+def test_there_are_kernels_to_look_at():
+    assert len(list(compiled_functions())) > 30
