@@ -39,7 +39,7 @@ def compiled_functions():
                 yield name, ast.unparse(node.decorator_list[0]), ast.unparse(node.returns)
 
 
-@pytest.mark.parametrize(("name", "decorator", "returned"), compiled_functions())
+@pytest.mark.parametrize(("name", "decorator", "returned"), list(compiled_functions()))
 def test_no_kernel_returns_a_record_to_python(name, decorator, returned):
     assert decorator == "compiled", "only such kernels have a Python wrapper and stay on disk"
     assert set(returned.removeprefix("tuple[").removesuffix("]").split(", ")) <= SCALARS
