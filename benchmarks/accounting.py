@@ -37,7 +37,7 @@ PARTS = {
     "corrected_step": "quadratic",
     "multipliers_changed": "quadratic",
     "escape_count": "quadratic",
-    "capture_times": "working set",
+    "evaluate": "working set",
     "set_paths": "paths",
 }
 """The kernels in which a plan spends its time, and under which heading. The rest steers."""

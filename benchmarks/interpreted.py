@@ -32,7 +32,8 @@ class Watch:
         function = kernel.py_func
         known = dict(function.__globals__)
         for name in function.__code__.co_names:
-            if isinstance(known.get(name), CPUDispatcher):
+            # A name may be that of an attribute alone: no kernel calls itself.
+            if isinstance(known.get(name), CPUDispatcher) and known[name] is not kernel:
                 called = known[name]
                 watched = called.py_func.__name__ in self.names
                 known[name] = self._watched(called) if watched else self.interpreted(called)
