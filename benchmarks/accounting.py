@@ -1,11 +1,14 @@
 """Where the time of a plan goes, and how far it is from the floor.
 
+Kernels are watched one by one, so the ordinary JIT compiles them: COVEY_JIT=1.
+
 The floor is one dynamic programme over all subsets and nothing else: its interceptions times what
 an interception costs by itself.
 """
 
 from __future__ import annotations
 
+import math
 import time
 from collections import Counter
 from typing import NamedTuple
@@ -17,10 +20,12 @@ import covey
 from covey.kernels.capture.interception import earliest_capture
 from covey.kernels.capture.path import position
 from covey.kernels.capture.pursuit import GrowingDisk
+from covey.kernels.maximum.multistart import multistart, refine
+from covey.kernels.maximum.working_set import copy_working_set
 from covey.planning.guarantee import paths_of, pursuit_of
 from interpreted import Watch
 from moments import moments
-from own import Compiled, planned, replanned, timed_plan, timed_replan
+from own import Compiled, planned, replanned
 from peers.peer import SAME
 from stopwatch import now
 
@@ -41,6 +46,32 @@ PARTS = {
     "set_paths": "paths",
 }
 """The kernels in which a plan spends its time, and under which heading. The rest steers."""
+
+
+@numba.njit
+def timed_replan(
+    repeats, problem, uniforms, restarts, options, lower_bound, left, iterate, scratch
+):
+    """Median time and value of replans from what is `left` of a plan, turns and working set."""
+    value, reading, seconds = 0.0, np.zeros(2, np.int64), np.empty(repeats)
+    for k in range(repeats):
+        iterate.turns[:] = left.turns
+        copy_working_set(left.working_set, len(left.turns), iterate.working_set)
+        start = now(reading)
+        value, _, _, _ = refine(problem, uniforms, restarts, options, lower_bound, iterate, scratch)
+        seconds[k] = now(reading) - start
+    return np.median(seconds), value
+
+
+@numba.njit
+def timed_plan(repeats, problem, guesses, options, iterate, scratch):
+    """Median time and value of plans from one start."""
+    value, reading, seconds = 0.0, np.zeros(2, np.int64), np.empty(repeats)
+    for k in range(repeats):
+        start = now(reading)
+        value, _, _, _ = multistart(problem, guesses, options, -math.inf, iterate, scratch)
+        seconds[k] = now(reading) - start
+    return np.median(seconds), value
 
 
 class Account(NamedTuple):
@@ -76,13 +107,14 @@ def accounts(size):
     """Return the `Account` of a warm replan and of a cold plan from one start."""
     own = Compiled(size)
     MEASURED[size] = [
-        _account("warm", size, own.warm, timed_replan, own.warm_arguments, replanned),
-        _account("cold", size, own.cold, timed_plan, own.cold_arguments, planned),
+        _account("warm", own, timed_replan, own.warm_arguments, replanned),
+        _account("cold", own, timed_plan, own.cold_arguments, planned),
     ]
     return MEASURED[size]
 
 
-def _account(task, size, run, driver, arguments, plan):
+def _account(task, own, driver, arguments, plan):
+    size = len(own.iterate.turns)
     watch = Watch(PARTS)
     step_by_step = watch.interpreted(driver)
     if unknown := set(PARTS) - watch.met:
@@ -90,8 +122,9 @@ def _account(task, size, run, driver, arguments, plan):
     spent: Counter[str] = Counter()
     total, each, interceptions, begun = 0.0, 0.0, 0, time.perf_counter()
     for games, moment in enumerate(moments(size), start=1):
-        seconds, value, _ = run(moment)
-        _, retraced = step_by_step(1, *arguments(moment))
+        given = arguments(moment)
+        seconds, value = driver(own.repeats, *given)
+        _, retraced = step_by_step(1, *given)
         if abs(retraced - value) > SAME * value:
             raise AssertionError(f"step by step, the solve came to {retraced}, not to {value}")
         total += seconds

@@ -45,6 +45,7 @@ def test_a_port_that_is_taken_is_a_mistake(capsys):
     assert f"can't listen on 127.0.0.1, port {port}" in capsys.readouterr().err
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="no shell script can be the browser there")
 def test_it_opens_the_page_serves_it_and_ends_with_ctrl_c(tmp_path):
     opened = tmp_path / "opened"
     browser = tmp_path / "browser"

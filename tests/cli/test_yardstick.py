@@ -7,7 +7,7 @@ import csv
 import pytest
 
 from covey.cli import main
-from covey.cli.commands import yardstick
+from covey.studies.analysis import yardstick
 
 
 def test_prints_a_table_and_saves_tables_and_picture(tmp_path, monkeypatch, capsys):

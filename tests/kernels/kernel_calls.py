@@ -44,9 +44,10 @@ def least(team, disk, turns, bound=math.inf, sequence=None, total=False):
     """The least time below `bound`, else `bound`; the `sequence` that needs it, else as given."""
     n = len(team)
     found = np.zeros(n, np.int64) if sequence is None else np.array(sequence, np.int64)
-    paths = paths_of(team, turns, disk.speed)
-    scratch = workspace(n, total)
-    value = minimum_over_sequences(paths, pursuit_of(disk), total, bound, found, scratch)
+    checked, scratch = np.array(turns, float), workspace(n, total)
+    value = minimum_over_sequences(
+        team.as_rows(), checked, pursuit_of(disk), total, bound, found, scratch
+    )
     return value, found
 
 

@@ -9,8 +9,13 @@ import pytest
 
 import covey
 from covey.kernels.arrays import new_workspace
+from covey.kernels.maximum.multistart import refine
+from covey.kernels.maximum.problem import Iterate, Options, Problem
 from covey.kernels.maximum.values import minimum_over_sequences
-from covey.planning.guarantee import paths_of, pursuit_of
+from covey.kernels.maximum.working_set import new_working_set
+from covey.model import LastCapture, TotalSurvival
+from covey.planning.compiled_objective import compiled_objective
+from covey.planning.guarantee import pursuit_of
 from covey.planning.workspace import LARGEST_KEPT, SMALL, workspace
 from random_games import random_game
 
@@ -20,9 +25,12 @@ from random_games import random_game
 def test_a_workspace_holds_all_scratch_of_its_size(size, total):
     team, disk = random_game(np.random.default_rng(size), size)
     memory = new_workspace(size, total)
-    paths, sequence = paths_of(team, disk, np.zeros(size)), np.empty(size, np.int64)
+    objective = compiled_objective(TotalSurvival() if total else LastCapture(), size)
+    problem = Problem(team.as_rows(), pursuit_of(disk), objective)
+    iterate = Iterate(np.zeros(size), new_working_set(size))
+    options = Options(0.2, 1e-9, 20)
     for _ in range(2):
-        minimum_over_sequences(paths, pursuit_of(disk), total, np.inf, sequence, memory)
+        refine(problem, np.empty((0, size)), 0, options, -np.inf, iterate, memory)
         for used, buffer in zip(
             memory.carved, (*memory[3:8], memory.ints, memory.int_rows), strict=True
         ):
@@ -32,9 +40,9 @@ def test_a_workspace_holds_all_scratch_of_its_size(size, total):
 def test_a_smaller_team_fits_into_the_workspace_of_a_larger_one():
     team, disk = random_game(np.random.default_rng(0), 4)
     turns = np.full(4, 0.3)
-    paths, sequence = paths_of(team, disk, turns), np.empty(4, np.int64)
+    rows, sequence = team.as_rows(), np.empty(4, np.int64)
     time = minimum_over_sequences(
-        paths, pursuit_of(disk), False, np.inf, sequence, new_workspace(9)
+        rows, turns, pursuit_of(disk), False, np.inf, sequence, new_workspace(9)
     )
     expected = covey.guaranteed_survival(team, disk, turns)
     assert (time, tuple(sequence.tolist())) == (expected.time, expected.sequence)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,11 +13,6 @@ from covey.scenarios import example_names, example_path, load_scenario
 
 def example(name):
     return load_scenario(example_path(name))
-
-
-def test_the_folder_in_the_checkout_is_the_one_in_the_package():
-    folder = Path(__file__).parents[2] / "scenarios"
-    assert folder.resolve() == example_path("fig3").parent.resolve()
 
 
 @pytest.mark.parametrize("name", example_names())

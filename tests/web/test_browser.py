@@ -13,7 +13,13 @@ from PIL import Image
 import covey
 from covey.cli import main
 from covey.web.human_game import UPDATE_TIME
-from web.browser_pages import Tab, chromium
+from web.browser_pages import NAMES, Tab, chromium, found
+
+if found() is None:
+    pytest.skip(
+        f"no Chromium here ({', '.join(NAMES)}): the page is not tested in a browser",
+        allow_module_level=True,
+    )
 
 TEAM, CAPTURED, BOARD = (0, 114, 178), (194, 78, 0), (251, 250, 247)
 """Colours of the light page."""

@@ -45,6 +45,7 @@ COMMANDS = (
     "reproduce",
     "yardstick",
     "chase",
+    "warmup",
 )
 """The files in `commands`, and the function in each, in the order of `covey --help`."""
 

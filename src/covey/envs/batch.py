@@ -36,7 +36,7 @@ class GameBatch(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
         self.action_space = batch_space(self.single_action_space, count)
         self.single_observation_space = observation_space(self.setup)
         self.observation_space = batch_space(self.single_observation_space, count)
-        self.states = State(*stacked(initial_state(np.zeros((n, 5)), 0.0, 0.0, 0.0), count))
+        self.states = State(*repeated(initial_state(np.zeros((n, 5)), 0.0, 0.0, 0.0), count))
         self._guarantees = np.zeros(count)
         self._generators = [seeding.np_random()[0] for _ in range(count)]
         self._begun = False
@@ -68,11 +68,11 @@ class GameBatch(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
         """Fly every game until its next update or capture; begin the games anew that end."""
         if not self._begun:
             raise InputError("step: expected games to be begun; call reset() first")
-        before = self.states.time[:, 0].copy()
+        before = self.states.time.copy()
         self.fly(actions)
-        elapsed = self.states.time[:, 0] - before
-        ended = self.states.alive[:, 0] == 0
-        late = ~ended & (self.states.time[:, 0] >= self.setup.time_limit)
+        elapsed = self.states.time - before
+        ended = self.states.alive == 0
+        late = ~ended & (self.states.time >= self.setup.time_limit)
         over, seen, infos = ended | late, self._observe(), dict[str, Any]()
         if over.any():
             final = np.full(self.num_envs, None, object)
@@ -90,7 +90,7 @@ class GameBatch(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
         generator = self._generators[b]
         initial = self.setup.draw(generator, options)
         for ours, new in zip(self.states, self.setup.first_state(initial), strict=True):
-            ours[b] = new
+            part_of(ours, b, self.num_envs)[:] = new
         self._guarantees[b] = self.begin_opponent(b, initial, int(generator.integers(2**31)))
 
     def _observe(self) -> Seen:
@@ -100,7 +100,7 @@ class GameBatch(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
 
     def _infos(self, which: Flags) -> dict[str, Any]:
         """Return the infos of the games in `which`, as Gymnasium batches them: arrays and masks."""
-        values = {"guarantee": self._guarantees, "time": self.states.time[:, 0]}
+        values = {"guarantee": self._guarantees, "time": self.states.time}
         infos: dict[str, Any] = {}
         for name, value in values.items():
             infos |= {name: np.where(which, value, 0.0), f"_{name}": which}
@@ -115,6 +115,12 @@ class GameBatch(VectorEnv[Seen, npt.ArrayLike, npt.NDArray[Any]]):
         raise NotImplementedError
 
 
-def stacked(arrays: Sequence[npt.NDArray[Any]], count: int) -> list[npt.NDArray[Any]]:
-    """Return each array `count` times, stacked."""
-    return [np.stack([array] * count) for array in arrays]
+def repeated(arrays: Sequence[npt.NDArray[Any]], count: int) -> list[npt.NDArray[Any]]:
+    """Return each array `count` times, one after the other along the first axis."""
+    return [np.concatenate([array] * count) for array in arrays]
+
+
+def part_of(array: npt.NDArray[Any], b: int, count: int) -> npt.NDArray[Any]:
+    """Return the part of game b, not a copy, of an array of `count` games."""
+    size = len(array) // count
+    return array[b * size : (b + 1) * size]

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.envs.actions import shares_of, velocities_of
-from covey.envs.batch import GameBatch, stacked
+from covey.envs.batch import GameBatch, part_of, repeated
 from covey.envs.setup import STARTS, TEAM, InitialState
 from covey.kernels.maximum.working_set import WorkingSet, new_working_set
 from covey.kernels.play.batches import Commitments, fly_pursuers, fly_teams
@@ -63,9 +63,9 @@ class PursuerVectorEnv(GameBatch):
         n = self.setup.team_size
         self._evaders, self._options = evaders, evaders.compiled()
         uniforms = guess_uniforms(0, self._options.restarts, n)
-        all_uniforms, lasts = stacked([uniforms, np.zeros(2)], num_envs)
+        all_uniforms, lasts = repeated([uniforms, np.zeros(2)], num_envs)
         self._memories = TeamMemory(
-            WorkingSet(*stacked(new_working_set(n), num_envs)),
+            WorkingSet(*repeated(new_working_set(n), num_envs)),
             all_uniforms,
             lasts,
             compiled_objective(LastCapture(), n),
@@ -75,11 +75,12 @@ class PursuerVectorEnv(GameBatch):
         """Plan, and keep the memory from which replanning starts."""
         team, known = self.setup.team(initial), self.setup.known_at_start(initial)
         first = plan(team, known, seed=seed, starts=self._evaders.starts)
-        self.states.turns[b] = first.turns
+        part_of(self.states.turns, b, self.num_envs)[:] = first.turns
         memory = first_memory(first, seed, self._options.restarts)
         for ours, new in zip(self._memories.working_set, memory.working_set, strict=True):
-            ours[b] = new
-        self._memories.uniforms[b], self._memories.last[b] = memory.uniforms, memory.last
+            part_of(ours, b, self.num_envs)[:] = new
+        part_of(self._memories.uniforms, b, self.num_envs)[:] = memory.uniforms
+        part_of(self._memories.last, b, self.num_envs)[:] = memory.last
         return first.survival_time
 
     def fly(self, actions: npt.ArrayLike) -> None:
@@ -130,16 +131,16 @@ class TeamVectorEnv(GameBatch):
         self._pursuer = pursuer
         # The margin is the same for each game.
         self._commitments = Commitments(
-            math.inf, np.zeros((num_envs, n), np.int64), np.zeros(num_envs, np.int64)
+            math.inf, np.zeros(num_envs * n, np.int64), np.zeros(num_envs, np.int64)
         )
 
     def begin_opponent(self, b: int, initial: InitialState, seed: int) -> float:
         """Set the sequence that the pursuer of game b follows at first, if any."""
         team, known = self.setup.team(initial), self.setup.known_at_start(initial)
         point = self.setup.disk_around(initial.pursuer, 0.0)
-        margin, self._commitments.sequences[b], self._commitments.chosen[b] = (
-            self._pursuer.commitment(team, point, seed)
-        )
+        margin, sequence, is_chosen = self._pursuer.commitment(team, point, seed)
+        part_of(self._commitments.sequences, b, self.num_envs)[:] = sequence
+        self._commitments.chosen[b] = is_chosen
         self._commitments = self._commitments._replace(margin=margin)
         return plan(team, known, seed=seed, starts=STARTS).survival_time
 

@@ -1,48 +1,60 @@
-"""The one place that decides how kernels are compiled."""
+"""The one place that decides how kernels are compiled.
+
+By default a kernel that Python calls runs in the compiled library, and the others are compiled into
+it (`kernels.library`, `kernels.builder`). With `COVEY_JIT=1` numba compiles each kernel when it is
+first called, which is quicker for whoever edits one of them. With `NUMBA_DISABLE_JIT=1` all are
+plain Python, where an index beyond its array is an error.
+"""
 
 from __future__ import annotations
 
-import sys
+import os
 from collections.abc import Callable
-from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
-import numba
-from numba.core import event
+from covey.kernels.library.entry import Entry
 
 Function = TypeVar("Function", bound=Callable[..., object])
 
+USES_PYTHON = os.environ.get("NUMBA_DISABLE_JIT", "0") not in ("", "0")
+USES_NUMBA = os.environ.get("COVEY_JIT") == "1" and not USES_PYTHON
 
 # - nogil: kernels touch no Python object, so threads may run them in parallel.
 # - error_model="numpy": a division by zero gives inf as in NumPy, and no test for it stands in the
 #   inner loops.
 # - no fastmath: the guarantee is compared with what happens to 1e-9, and the same game must give
 #   the same bits on every path through the code.
-_COMMON = {"nogil": True, "error_model": "numpy"}
+# - no runtime of numba's: nothing can be allocated, and no array is counted; the counting took four
+#   fifths of the time of an interception.
+OPTIONS = {"nogil": True, "error_model": "numpy", "_nrt": False}
 
-# Without numba's runtime nothing can be allocated, and no array is counted: the counting took four
-# fifths of the time of an interception.
-_NO_ALLOCATION = {"_nrt": False}
+entries: list[Any] = []
+"""The kernels that Python calls, as the compiler sees them; empty unless numba compiles."""
+
+compiled_kernels: list[Any] = []
+"""All kernels that become functions, likewise."""
+
+
+def entry(function: Function) -> Function:
+    """Compile a kernel that Python calls, too: an entry of the compiled library."""
+    if USES_NUMBA:
+        kernel = compiled(function)
+        entries.append(kernel)
+        return kernel
+    return function if USES_PYTHON else Entry(function)  # type: ignore[return-value]
 
 
 def compiled(function: Function) -> Function:
-    """Compile a kernel that allocates nothing, and keep the machine code on disk.
-
-    Compiling all kernels takes the better part of a minute, reading them back a fraction of a
-    second.
-    """
-    decorated: Function = numba.njit(cache=True, **_COMMON, **_NO_ALLOCATION)(function)
-    return decorated
+    """Compile a kernel that other kernels call."""
+    # Without the option a kernel would be inlined into each caller that itself is `inlined`.
+    kernel = _by_numba(function, forceinline=False)
+    compiled_kernels.append(kernel)
+    return kernel
 
 
 def inlined(function: Function) -> Function:
-    """Compile a small kernel into each of its callers.
-
-    It isn't kept on disk: what comes from there is machine code, which LLVM can call but no longer
-    inline, and a call costs as much as an interception.
-    """
-    decorated: Function = numba.njit(forceinline=True, **_COMMON, **_NO_ALLOCATION)(function)
-    return decorated
+    """Compile a small kernel into each of its callers: a call costs as much as an interception."""
+    return _by_numba(function, forceinline=True)
 
 
 def expanded(function: Function) -> Function:
@@ -50,44 +62,13 @@ def expanded(function: Function) -> Function:
 
     Without numba's runtime a compiled function can't return an array. An expanded one returns none.
     """
-    decorated: Function = numba.njit(inline="always", **_COMMON, **_NO_ALLOCATION)(function)
-    return decorated
+    return _by_numba(function, inline="always")
 
 
-class _Announcer(event.Listener):  # type: ignore[misc] # numba's types are skipped
-    """Says, once, that kernels are being compiled; numba calls it only when none is on disk."""
+def _by_numba(function: Function, **options: Any) -> Function:
+    if not USES_NUMBA:
+        return function
+    import numba
 
-    def __init__(self) -> None:
-        self._said = False
-
-    def on_start(self, event: event.Event) -> None:
-        function = event.data["dispatcher"].py_func
-        if not self._said and function.__module__.startswith("covey.kernels"):
-            self._said = True
-            print(
-                "covey: compiling its kernels, which takes up to a minute and happens only once",
-                file=sys.stderr,
-                flush=True,
-            )
-
-    def on_end(self, event: event.Event) -> None:
-        """Nothing to say: the answer that was waited for follows."""
-
-
-def forget_stale_cache(room: Path) -> None:
-    """Remove compiled kernels that are older than any source of this room or of its sub-rooms.
-
-    numba looks only at the file in which a kernel stands, so a change in one that it *calls*
-    would go unnoticed.
-    """
-    newest = max(source.stat().st_mtime for source in room.rglob("*.py"))
-    for index in room.rglob("__pycache__/*.nbi"):
-        try:
-            if index.stat().st_mtime < newest:
-                index.unlink()
-        except OSError:  # another process was quicker, or the folder is read-only
-            continue
-
-
-forget_stale_cache(Path(__file__).parent)
-event.register("numba:compile", _Announcer())
+    kernel: Function = numba.njit(**OPTIONS, **options)(function)
+    return kernel

@@ -2,16 +2,27 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from covey.kernels._jit import expanded, inlined
+from covey.kernels.library.layout import kept
 
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 Int32s = npt.NDArray[np.int32]
+
+# What an entry takes has a known number of dimensions, too.
+Vector = Annotated[npt.NDArray[np.float64], 1]
+Matrix = Annotated[npt.NDArray[np.float64], 2]
+Tensor = Annotated[npt.NDArray[np.float64], 3]
+IntVector = Annotated[npt.NDArray[np.int64], 1]
+IntMatrix = Annotated[npt.NDArray[np.int64], 2]
+Int32Vector = Annotated[npt.NDArray[np.int32], 1]
+Float32Vector = Annotated[npt.NDArray[np.float32], 1]
+Float32Matrix = Annotated[npt.NDArray[np.float32], 2]
 
 
 PATH = 15
@@ -21,6 +32,7 @@ _LINE = 8  # floats in a line of the processor's cache
 _LANES = 4  # floats in a register of the processor
 
 
+@kept
 class Workspace(NamedTuple):
     """Memory for the scratch of kernels. Python owns it; kernels carve their arrays from it.
 
@@ -31,15 +43,15 @@ class Workspace(NamedTuple):
 
     size: int  # n: evaders that the scratch has room for
     total: bool  # whether there is room for minima of sums, too
-    carved: Ints  # (7,) how much of each of the following is in use
-    floats: Floats  # (.,)
-    rows: Floats  # (., n)
-    wide_rows: Floats  # (., n + 2)
-    path_rows: Floats  # (., PATH)
-    padded_rows: Floats  # (., n rounded up to a multiple of the processor's lanes)
-    ints: Ints  # (.,)
-    int_rows: Ints  # (., n)
-    slots: Int32s  # (2**n,) zeros at first; carved as a whole
+    carved: IntVector  # (7,) how much of each of the following is in use
+    floats: Vector  # (.,)
+    rows: Matrix  # (., n)
+    wide_rows: Matrix  # (., n + 2)
+    path_rows: Matrix  # (., PATH)
+    padded_rows: Matrix  # (., n rounded up to a multiple of the processor's lanes)
+    ints: IntVector  # (.,)
+    int_rows: IntMatrix  # (., n)
+    slots: Int32Vector  # (2**n,) zeros at first; carved as a whole
 
 
 FLOATS, ROWS, WIDE_ROWS, PATH_ROWS, PADDED_ROWS, INTS, INT_ROWS = range(7)
@@ -56,7 +68,7 @@ def new_workspace(size: int, total: bool = False) -> Workspace:
         _aligned(1, states * (3 if total else 1) + 64 * (size + 8))[0],
         _aligned(16 * size + 40, size),
         _aligned(size + 2, size + 2),
-        _aligned(3 * size, PATH),
+        _aligned(4 * size, PATH),
         _aligned(sets + size + 16, -(-size // _LANES) * _LANES),
         np.zeros(sets + (states if total else 0) + 16 * (size + 8), np.int64),
         np.zeros((4 * size + 8, size), np.int64),

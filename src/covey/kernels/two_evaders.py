@@ -16,8 +16,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats
+from covey.kernels._jit import compiled, entry, inlined
+from covey.kernels.arrays import Matrix, Vector
 
 _FIRST_HEADINGS, _HEADINGS, _ROUNDS = 32, 4, 14
 _NARROWER = 0.4
@@ -29,10 +29,10 @@ class Grid(NamedTuple):
     The grid is finer where both evaders are at one point.
     """
 
-    balances: Floats
-    balance_steps: Floats
-    openings: Floats
-    opening_steps: Floats
+    balances: Vector
+    balance_steps: Vector
+    openings: Vector
+    opening_steps: Vector
 
 
 @compiled
@@ -67,8 +67,8 @@ def upper_bound_at(a: float, b: float, opening: float, v1: float, v2: float) -> 
     return min(in_known_order(a, b, opening, v1, v2), in_known_order(b, a, opening, v2, v1))
 
 
-@compiled
-def set_upper_bound(grid: Grid, v1: float, v2: float, upper_bound: Floats) -> None:
+@entry
+def set_upper_bound(grid: Grid, v1: float, v2: float, upper_bound: Matrix) -> None:
     """Write the value of announcing the better order, (balances, openings)."""
     balances, openings = grid.balances, grid.openings
     last = len(balances) - 1
@@ -79,8 +79,8 @@ def set_upper_bound(grid: Grid, v1: float, v2: float, upper_bound: Floats) -> No
             upper_bound[i, j] = upper_bound_at(a, b, openings[j], v1, v2)
 
 
-@compiled
-def set_upper_bounds(situations: Floats, v1: float, v2: float, upper_bounds: Floats) -> None:
+@entry
+def set_upper_bounds(situations: Matrix, v1: float, v2: float, upper_bounds: Vector) -> None:
     """Write the value of announcing the better order for rows (a, b, opening)."""
     for k in range(len(situations)):
         a, b, opening = situations[k, 0], situations[k, 1], situations[k, 2]
@@ -140,8 +140,8 @@ def _reflected(j: int, last: int) -> int:
     return 2 * last - j if j > last else j
 
 
-@compiled
-def sweep(values: Floats, upper_bound: Floats, grid: Grid, v1: float, v2: float) -> float:
+@entry
+def sweep(values: Matrix, upper_bound: Matrix, grid: Grid, v1: float, v2: float) -> float:
     """Sweep the values (balances, openings) in four directions; return the largest change."""
     balances, balance_steps = grid.balances, grid.balance_steps
     openings, opening_steps = grid.openings, grid.opening_steps

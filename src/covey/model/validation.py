@@ -31,15 +31,26 @@ def read_only(array: Floats) -> Floats:
 
 def frozen_array(name: str, value: object, shape: tuple[int | None, ...]) -> Floats:
     """Copy `value` to a read-only array of finite floats of `shape` (None: any length)."""
+    return read_only(checked_array(name, value, shape))
+
+
+def checked_array(name: str, value: object, shape: tuple[int | None, ...]) -> Floats:
+    """Copy `value` to an array of finite floats of `shape` (None: any length)."""
     array = _numbers(name, value)
-    if array.ndim != len(shape) or any(
-        n not in (None, m) for n, m in zip(shape, array.shape, strict=True)
-    ):
+    if array.shape != shape and not _fits(array.shape, shape):
         wanted = ", ".join("N" if n is None else str(n) for n in shape)
         wanted += "," if len(shape) == 1 else ""
         raise InputError(f"{name}: expected an array of shape ({wanted}), got shape {array.shape}")
-    _reject(name, array, ~(np.abs(array) <= LARGEST), f"finite numbers up to {LARGEST:g} in size")
-    return read_only(array)
+    good = np.abs(array) <= LARGEST
+    if not good.all():
+        _reject(name, array, ~good, f"finite numbers up to {LARGEST:g} in size")
+    return array
+
+
+def _fits(shape: tuple[int, ...], wanted: tuple[int | None, ...]) -> bool:
+    return len(shape) == len(wanted) and all(
+        n in (None, m) for n, m in zip(wanted, shape, strict=True)
+    )
 
 
 def frozen_rates(name: str, value: object, count: int, *, infinite: bool) -> Floats:
@@ -130,7 +141,7 @@ def _numbers(name: str, value: object) -> Floats:
     try:
         array: npt.NDArray[Any] = np.array(value)
         if array.dtype.kind in "biuf":
-            return np.array(array, dtype=np.float64)
+            return array.astype(np.float64, copy=False)
     except ValueError:
         pass  # a ragged list
     raise InputError(f"{name}: expected numbers, got {value!r}")

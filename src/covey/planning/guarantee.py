@@ -23,7 +23,7 @@ from covey.model import (
     Team,
     TotalSurvival,
 )
-from covey.model.validation import Floats, frozen_array, permutation
+from covey.model.validation import Floats, checked_array, permutation
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.workspace import workspace
 
@@ -54,7 +54,7 @@ def pursuit_of(disk: PursuerDisk) -> Pursuit:
 
 def paths_of(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> Floats:
     """Return the paths (N, PATH), in the kernels' form, of a team that makes `turns` (N,)."""
-    checked = frozen_array("turns", turns, (len(team),))
+    checked = checked_array("turns", turns, (len(team),))
     paths = np.empty((len(team), PATH))
     set_paths(team.as_rows(), checked, disk.speed, paths)
     return paths
@@ -165,9 +165,9 @@ def guaranteed_survival(
         )
     n = len(team)
     total = checked_objective(objective).measure == "total"
-    paths, sequence = paths_of(team, disk, turns), np.empty(n, np.int64)
+    checked, sequence = checked_array("turns", turns, (n,)), np.empty(n, np.int64)
     value = minimum_over_sequences(
-        paths, pursuit_of(disk), total, math.inf, sequence, workspace(n, total)
+        team.as_rows(), checked, pursuit_of(disk), total, math.inf, sequence, workspace(n, total)
     )
     return Guarantee(value, tuple(sequence.tolist()))
 
@@ -200,7 +200,7 @@ def expected_survival(
     disk.require_faster_than(team)
     if not isinstance(objective, ExpectedSurvival):
         raise InputError(f"objective: expected ExpectedSurvival(...), got {objective!r}")
-    checked = frozen_array("turns", turns, (len(team),))
+    checked = checked_array("turns", turns, (len(team),))
     problem = Problem(team.as_rows(), pursuit_of(disk), compiled_objective(objective, len(team)))
     return mean_over_draws(problem, checked, workspace(len(team)))
 

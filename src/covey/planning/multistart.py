@@ -93,8 +93,10 @@ class Search:
         """Ascend from a plan, which is overwritten."""
         known = iterate.working_set.used[0] > 0
         radius = RADIUS_WARM if known else RADIUS_UNKNOWN_SET
-        guesses, options = self._guesses(0, 0), Options(radius, self._tolerance, MAX_STEPS)
-        found = refine(self._problem, guesses, options, -math.inf, iterate, self._workspace())
+        options = Options(radius, self._tolerance, MAX_STEPS)
+        found = refine(
+            self._problem, self._uniforms, 0, options, -math.inf, iterate, self._workspace()
+        )
         return _ascents(found, iterate, 1)
 
     def run(self, first: int, count: int) -> Ascents:

@@ -1,11 +1,10 @@
 """Games described in files: TOML in, all its mistakes told at once, and a scenario out.
 
 Read schema, values and strategies (what may stand in a file), mistakes and consistency (what is
-wrong with it), then load, build and scenario. Studies read their files by the same types.
+wrong with it), then load, build and scenario. Studies read their files by the same types. The
+public names stand in `__init__.pyi`; pydantic is loaded with the first file that is read.
 """
 
-from covey.scenarios.examples import example_names, example_path
-from covey.scenarios.load import load_scenario
-from covey.scenarios.scenario import Scenario
+import lazy_loader
 
-__all__ = ["Scenario", "example_names", "example_path", "load_scenario"]
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -12,6 +12,7 @@ from covey import views
 from covey.cli.shared.arguments import Seed
 from covey.cli.shared.outputs import check_output, print_saved
 from covey.cli.shared.sources import read_scenario_or_game
+from covey.cli.show.comparison import draw_comparison
 from covey.cli.show.film import save_film
 
 View = Literal["snapshots", "game", "plan", "animation"]
@@ -61,9 +62,6 @@ def draw(
         covey draw results/tournament --output tournament.png
     """
     if Path(file).is_dir():
-        # Only now, as it loads the compiler, which `covey draw --help` can do without.
-        from covey.cli.show.comparison import draw_comparison
-
         if (view, record, seed) != (None, None, None):
             raise covey.InputError(
                 f"{file}: --view, --record and --seed are for games; it is a folder"

@@ -9,16 +9,12 @@ from typing import Annotated, Any
 from cyclopts import Parameter
 
 import covey
-from covey import views
-from covey.cli.shared.outputs import check_folder, print_saved, save_picture, write_csv
+from covey import studies, views
+from covey.cli.shared.outputs import check_folder, print_saved, save_picture, write_csv, write_text
 from covey.cli.shared.sources import read_scenario
 from covey.cli.show.film import save_film
 from covey.cli.show.study import print_study, run_with_progress
 from covey.cli.show.tables import print_game
-from covey.simulation.storage import whole_file
-from covey.studies import StudyResult, example_path, read_study
-from covey.studies.paper.figures import Gains, survival_ratios, turn_rate_gains
-from covey.studies.paper.report import report
 
 
 def reproduce(
@@ -71,10 +67,10 @@ def _reproduce_game(folder: Path) -> covey.Game:
 
 def _reproduce_studies(
     folder: Path, starts: int | None, workers: int | None
-) -> tuple[StudyResult, StudyResult]:
+) -> tuple[studies.StudyResult, studies.StudyResult]:
     """Play the games of Figs. 4 and 5, and draw them."""
     fig4 = _study("fig4", folder, starts, workers)
-    ratios = survival_ratios(fig4)
+    ratios = studies.survival_ratios(fig4)
     save_picture(views.draw_ratios(ratios), folder, "fig4")
     write_csv(
         folder / "fig4.csv",
@@ -82,7 +78,7 @@ def _reproduce_studies(
         ((size, k, q) for size, values in ratios.items() for k, q in enumerate(values.tolist())),
     )
     fig5 = _study("fig5", folder, starts, workers)
-    gains = turn_rate_gains(fig5)
+    gains = studies.turn_rate_gains(fig5)
     save_picture(_gains_figure(gains), folder, "fig5")
     write_csv(
         folder / "fig5.csv",
@@ -97,15 +93,15 @@ def _reproduce_studies(
     return fig4, fig5
 
 
-def _write_report(folder: Path, game: covey.Game, fig4: StudyResult, fig5: StudyResult) -> None:
+def _write_report(
+    folder: Path, game: covey.Game, fig4: studies.StudyResult, fig5: studies.StudyResult
+) -> None:
     """Write the report."""
-    with whole_file(folder / "report.md") as file:
-        file.write(report(game, fig4, fig5).encode())
-    print_saved(folder / "report.md")
+    write_text(folder / "report.md", studies.report(game, fig4, fig5))
 
 
-def _study(name: str, folder: Path, starts: int | None, workers: int | None) -> StudyResult:
-    study = read_study(example_path(name))
+def _study(name: str, folder: Path, starts: int | None, workers: int | None) -> studies.StudyResult:
+    study = studies.read_study(studies.example_path(name))
     if starts is not None:
         study = replace(study, starts=starts)
     result = run_with_progress(study, folder / name, workers)
@@ -115,7 +111,7 @@ def _study(name: str, folder: Path, starts: int | None, workers: int | None) -> 
     return result
 
 
-def _gains_figure(gains: dict[str, Gains]) -> Any:
+def _gains_figure(gains: dict[str, studies.Gains]) -> Any:
     panels = {
         f"{word} pursuer": {
             size: views.Curve([e.value for e in row], [e.error for e in row])

@@ -7,11 +7,11 @@ from typing import Annotated, Any
 
 from cyclopts import Parameter
 
+from covey import studies
 from covey.cli.shared.arguments import Json
 from covey.cli.shared.sources import path_of
 from covey.cli.show.json_output import print_json
 from covey.cli.show.study import print_study, run_with_progress
-from covey.studies import StudyResult, example_names, example_path, read_study, summary
 
 
 def study(
@@ -54,9 +54,10 @@ def study(
 
         covey study fig4 --output results/fig4
     """
-    path = path_of(file, "study", {each: example_path(each) for each in example_names()})
+    examples = {each: studies.example_path(each) for each in studies.example_names()}
+    path = path_of(file, "study", examples)
     folder = output or Path("results") / path.stem
-    result = run_with_progress(read_study(path), folder, workers, dask)
+    result = run_with_progress(studies.read_study(path), folder, workers, dask)
     if json:
         print_json(_as_json(result))
     else:
@@ -65,7 +66,7 @@ def study(
         raise SystemExit(1)
 
 
-def _as_json(result: StudyResult) -> dict[str, Any]:
+def _as_json(result: studies.StudyResult) -> dict[str, Any]:
     """Return the cases of a study for programs."""
     return {
         "folder": str(result.folder),
@@ -83,6 +84,6 @@ def _as_json(result: StudyResult) -> dict[str, Any]:
                 "relative": line.relative._asdict(),
                 **({} if line.value is None else {"value": line.value._asdict()}),
             }
-            for line in summary(result)
+            for line in studies.summary(result)
         ],
     }

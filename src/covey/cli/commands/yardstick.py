@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from statistics import fmean
 from typing import Annotated
 
-import numpy as np
 from cyclopts import Parameter
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
 
-from covey import views
+from covey import studies, views
 from covey.cli.shared.outputs import check_folder, save_picture, write_csv
-from covey.model.validation import whole_number
-from covey.studies.analysis.yardstick import SPEEDS, Change, Yardstick, YardstickRow, measure
 
 
 def yardstick(
@@ -46,8 +44,12 @@ def yardstick(
     _save(measured, output)
 
 
-def _measure_all(pairs: int, cells: int, seed: int) -> list[Yardstick]:
+def _measure_all(pairs: int, cells: int, seed: int) -> list[studies.Yardstick]:
     """Measure at all speeds, and say at which."""
+    # Only now, as they load NumPy.
+    from covey.model.validation import whole_number
+    from covey.studies.analysis.yardstick import SPEEDS, measure
+
     whole_number("pairs", pairs, low=1)
     whole_number("cells", cells, low=64)
     measured = []
@@ -57,7 +59,7 @@ def _measure_all(pairs: int, cells: int, seed: int) -> list[Yardstick]:
     return measured
 
 
-def _print(measured: list[Yardstick]) -> None:
+def _print(measured: list[studies.Yardstick]) -> None:
     """Print survival times over the value, and by how much the finest grid changed the value."""
     table = Table(box=SIMPLE_HEAD, pad_edge=False)
     for head in ("speeds", "pairs", "evaders", "mean", "least", "most", "known to"):
@@ -66,27 +68,27 @@ def _print(measured: list[Yardstick]) -> None:
         changes = {change.pairs: change for change in game.changes}
         for (speeds, pairs, evaders), shares in _shares(game.rows).items():
             known = f"{100 * changes[pairs].mean:.1g} %"
-            figures = (np.mean(shares), np.min(shares), np.max(shares))
+            figures = (fmean(shares), min(shares), max(shares))
             table.add_row(speeds, pairs, evaders, *(f"{each:.4f}" for each in figures), known)
     console = Console(highlight=False)
     console.print("survival time over the true value; by how much, on average, that is known:")
     console.print(table)
 
 
-def _save(measured: list[Yardstick], folder: Path) -> None:
+def _save(measured: list[studies.Yardstick], folder: Path) -> None:
     """Save every game, the changes from grid to grid, and the picture."""
     rows = [row for each in measured for row in each.rows]
-    write_csv(folder / "yardstick.csv", YardstickRow._fields, rows)
+    write_csv(folder / "yardstick.csv", studies.YardstickRow._fields, rows)
     changes = [change for each in measured for change in each.changes]
-    write_csv(folder / "convergence.csv", Change._fields, changes)
+    write_csv(folder / "convergence.csv", studies.Change._fields, changes)
     panels: dict[str, dict[str, dict[str, views.Closeness]]] = {}
     for (speeds, pairs, evaders), shares in _shares(rows).items():
-        found = views.Closeness(float(np.mean(shares)), float(np.min(shares)))
+        found = views.Closeness(fmean(shares), min(shares))
         panels.setdefault(f"{pairs} pairs", {}).setdefault(evaders, {})[speeds] = found
     save_picture(views.draw_closeness(panels), folder, "yardstick")
 
 
-def _shares(rows: list[YardstickRow]) -> dict[tuple[str, str, str], list[float]]:
+def _shares(rows: list[studies.YardstickRow]) -> dict[tuple[str, str, str], list[float]]:
     """Return survival times over the value, by speeds, kind of pairs and strategy."""
     shares: dict[tuple[str, str, str], list[float]] = {}
     for row in rows:

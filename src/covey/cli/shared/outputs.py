@@ -38,14 +38,19 @@ def check_folder(folder: Path) -> None:
 
 def write_csv(path: Path, heads: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
     """Write a table, and say where it is."""
-    from covey.simulation.storage import whole_file  # only now, as it loads NumPy
-
     text = io.StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(heads)
     writer.writerows(rows)
+    write_text(path, text.getvalue())
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a text, and say where it is."""
+    from covey.simulation.storage import whole_file  # only now, as it loads NumPy
+
     with whole_file(path) as file:
-        file.write(text.getvalue().encode())
+        file.write(text.encode())
     print_saved(path)
 
 

@@ -1,7 +1,4 @@
-"""What FILE means on the command line: a scenario, one that comes with covey, or a record.
-
-The functions import what brings the compiler, so that `covey plan --help` can do without.
-"""
+"""What FILE means on the command line: a scenario, one that comes with covey, or a record."""
 
 from __future__ import annotations
 
@@ -10,14 +7,15 @@ from difflib import get_close_matches
 from pathlib import Path
 
 import covey
+from covey import scenarios
 
 
 def read_scenario(name: str, seed: int | None) -> covey.Scenario:
     """Load a scenario by the path of its file or, for one that comes with covey, by its name."""
-    from covey.scenarios import example_names, example_path
-    from covey.simulation.storage import is_parquet
+    from covey.simulation.storage import is_parquet  # only now, as it loads NumPy
 
-    path = path_of(name, "scenario", {each: example_path(each) for each in example_names()})
+    examples = {each: scenarios.example_path(each) for each in scenarios.example_names()}
+    path = path_of(name, "scenario", examples)
     if is_parquet(path):
         raise covey.InputError(
             f"{path}: expected a scenario in TOML, got a Parquet file; `covey draw` draws the "
@@ -28,7 +26,7 @@ def read_scenario(name: str, seed: int | None) -> covey.Scenario:
 
 def read_scenario_or_game(name: str, seed: int | None) -> covey.Scenario | covey.Game:
     """Load a scenario, or the record of a game if the file is one."""
-    from covey.simulation.storage import is_parquet
+    from covey.simulation.storage import is_parquet  # only now, as it loads NumPy
 
     if not is_parquet(name):
         return read_scenario(name, seed)

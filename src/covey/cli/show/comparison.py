@@ -9,16 +9,14 @@ from rich.console import Console
 from rich.table import Table
 
 import covey
-from covey import views
+from covey import studies, views
 from covey.cli.shared.outputs import check_output, print_saved
-from covey.studies.analysis.comparison import comparison
-from covey.studies.analysis.paired_ratios import Comparison, PairedRatio
 
 _WIDEST = 36
 """Letters of a row's name in one line."""
 
 
-def print_comparison(console: Console, compared: Comparison) -> None:
+def print_comparison(console: Console, compared: studies.Comparison) -> None:
     """Print the means over the team sizes, relative to the first row of each group."""
     overall = [score for score in compared.ratios if score.team_size is None]
     for group in dict.fromkeys(score.group for score in overall):
@@ -33,7 +31,7 @@ def print_comparison(console: Console, compared: Comparison) -> None:
         console.print("* Without the starts of which a game was stopped with evaders alive.")
 
 
-def _table(title: str, rows: str, chosen: list[PairedRatio]) -> Table:
+def _table(title: str, rows: str, chosen: list[studies.PairedRatio]) -> Table:
     columns = list(dict.fromkeys(score.column for score in chosen))
     cells = {(score.row, score.column): _cell(score) for score in chosen}
     table = Table(
@@ -47,7 +45,7 @@ def _table(title: str, rows: str, chosen: list[PairedRatio]) -> Table:
     return table
 
 
-def _cell(score: PairedRatio) -> str:
+def _cell(score: studies.PairedRatio) -> str:
     value, error = score.relative
     text = f"{value:.3f}" if error == 0.0 else f"{value:.3f} ±{error:.3f}".replace("±0", "±")
     return text + ("*" if score.starts < score.played else "")
@@ -58,7 +56,7 @@ def draw_comparison(folder: Path, output: Path) -> None:
     from covey.views.kit.saving import STILLS  # only now, as it loads matplotlib
 
     check_output(output, STILLS, "a picture")
-    compared = comparison(covey.load_study(folder))
+    compared = studies.comparison(covey.load_study(folder))
     if compared is None:
         raise covey.InputError(
             f"{folder}: expected a study of several teams, or several objectives, in which beside "

@@ -17,18 +17,16 @@ from rich.progress import (
 )
 from rich.table import Table
 
+from covey import studies
 from covey.cli.shared.outputs import print_saved
 from covey.cli.show.comparison import print_comparison
-from covey.studies import CaseSummary, Study, StudyResult, run_study, summary
-from covey.studies.analysis.comparison import comparison
-from covey.studies.statistics import Estimate
 
 _HEADINGS = {"team_size": "team", "turn_rate": "turn rate", "update_time": "update time"}
 
 
 def run_with_progress(
-    study: Study, folder: Path, workers: int | None, dask: str | None = None
-) -> StudyResult:
+    study: studies.Study, folder: Path, workers: int | None, dask: str | None = None
+) -> studies.StudyResult:
     """Run a study with a bar that shows how far it is, and the time that is left."""
     columns = (
         TextColumn("{task.description}"),
@@ -50,13 +48,13 @@ def run_with_progress(
             bar.update(task, completed=done, total=total)
             bar.start_task(task)
 
-        return run_study(study, folder, workers=workers, dask=dask, progress=progress)
+        return studies.run_study(study, folder, workers=workers, dask=dask, progress=progress)
 
 
-def print_study(result: StudyResult) -> None:
+def print_study(result: studies.StudyResult) -> None:
     """Print a line for each case, or the tables of a comparison, and which games are missing."""
     console = Console(highlight=False)
-    compared = comparison(result)
+    compared = studies.comparison(result)
     if compared is not None:
         print_comparison(console, compared)
     else:
@@ -68,8 +66,8 @@ def print_study(result: StudyResult) -> None:
         print("covey: run the study again to try the missing games anew", file=sys.stderr)
 
 
-def _print_cases(console: Console, result: StudyResult) -> None:
-    lines = summary(result)
+def _print_cases(console: Console, result: studies.StudyResult) -> None:
+    lines = studies.summary(result)
     table = Table(box=SIMPLE_HEAD, pad_edge=False)
     settings = list(lines[0].settings)
     stopped, valued = any(line.stopped for line in lines), lines[0].value is not None
@@ -92,7 +90,7 @@ def _print_cases(console: Console, result: StudyResult) -> None:
     )
 
 
-def _row(line: CaseSummary) -> list[str]:
+def _row(line: studies.CaseSummary) -> list[str]:
     return [
         *(f"{v:.4g}" if isinstance(v, float) else str(v) for v in line.settings.values()),
         f"{line.guarantee:.4f}",
@@ -102,6 +100,6 @@ def _row(line: CaseSummary) -> list[str]:
     ]
 
 
-def _estimate(value: Estimate) -> str:
+def _estimate(value: studies.Estimate) -> str:
     """Write a number with its uncertainty."""
     return f"{value.value:.4f} ± {value.error:.4f}"

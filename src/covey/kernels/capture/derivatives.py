@@ -11,8 +11,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Ints
+from covey.kernels._jit import entry, inlined
+from covey.kernels.arrays import Floats, Ints, IntVector, Matrix, Vector
 from covey.kernels.capture.path import (
     HALF_RATE,
     STEERS,
@@ -34,19 +34,19 @@ CAPTURE_ROW = 10
 class Captures(NamedTuple):
     """The captures of one sequence of n evaders, and scratch of their second derivatives."""
 
-    times: Floats  # (n,) or more
-    rows: Floats  # (n, CAPTURE_ROW) or more
-    slopes: Floats  # (3, n) or more: derivatives of T_{k-1} and T_k, and of the distance across n_k
+    times: Vector  # (n,) or more
+    rows: Matrix  # (n, CAPTURE_ROW) or more
+    slopes: Matrix  # (3, n) or more: derivatives of T_{k-1} and T_k, and of the distance across n_k
 
 
-@compiled
+@entry
 def differentiate(
-    paths: Floats,
+    paths: Matrix,
     pursuit: Pursuit,
-    sequence: Ints,
+    sequence: IntVector,
     total: bool,
     captures: Captures,
-    gradient: Floats,
+    gradient: Vector,
 ) -> None:
     """Write the gradient of the last capture, or of the sum, by every evader's turn.
 
@@ -123,14 +123,14 @@ def _closing_speed(
     return pursuit.speed - normal_x * rows[k, SPEED_X] - normal_y * rows[k, SPEED_Y]
 
 
-@compiled
+@entry
 def add_curvature(
-    paths: Floats,
+    paths: Matrix,
     pursuit: Pursuit,
-    sequence: Ints,
+    sequence: IntVector,
     captures: Captures,
     weight: float,
-    hessian: Floats,
+    hessian: Matrix,
 ) -> None:
     """Add `weight` times the Hessian of the objective to the lower triangle of `hessian`.
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats
+from covey.kernels._jit import compiled, entry, inlined
+from covey.kernels.arrays import Floats, Matrix, Vector
 from covey.kernels.capture.path import (
     CHORD,
     CLOSING,
@@ -49,9 +49,9 @@ def earliest_capture(paths: Floats, i: int, disk: GrowingDisk) -> float:
     return capture_in_turn(paths, i, disk)
 
 
-@compiled
-def earliest_captures(paths: Floats, disk: GrowingDisk, times: Floats) -> None:
-    """Write the earliest capture of each path (n,), all by the same disk."""
+@entry
+def earliest_captures(paths: Matrix, disk: GrowingDisk, times: Vector) -> None:
+    """Write the earliest capture of each path (n, PATH) to `times` (n,), all by the same disk."""
     for i in range(len(paths)):
         times[i] = earliest_capture(paths, i, disk)
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import math
 
-from covey.kernels._jit import compiled, inlined
+from covey.kernels._jit import entry, inlined
 from covey.kernels.arrays import PATH as PATH
-from covey.kernels.arrays import Floats
+from covey.kernels.arrays import Floats, Matrix, Tensor, Vector
 
 # An evader is a row (x, y, heading, speed, turn rate).
 X, Y, HEADING, SPEED, TURN_RATE = range(5)
@@ -27,8 +27,8 @@ START_COSINE, START_SINE = 12, 13
 STEERS = 14  # 1; 0 if the evader can't turn, so that its path doesn't depend on the turn
 
 
-@compiled
-def set_paths(evaders: Floats, turns: Floats, pursuer_speed: float, paths: Floats) -> None:
+@entry
+def set_paths(evaders: Matrix, turns: Vector, pursuer_speed: float, paths: Matrix) -> None:
     """Write, for each evader, the path that turns by a signed angle and then flies straight.
 
     An evader that can't turn (rate 0) flies straight, whatever its turn is. An infinite rate turns
@@ -92,8 +92,8 @@ def position(paths: Floats, i: int, time: float) -> tuple[float, float]:
     )
 
 
-@compiled
-def sample(paths: Floats, times: Floats, positions: Floats) -> None:
+@entry
+def sample(paths: Matrix, times: Vector, positions: Tensor) -> None:
     """Write the position of every evader at each of the `times`, to (times, evaders, 2)."""
     for k in range(len(times)):
         for i in range(len(paths)):

@@ -2,15 +2,27 @@
 
 from __future__ import annotations
 
-from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Ints
+from covey.kernels._jit import entry, inlined
+from covey.kernels.arrays import Floats, IntVector, Matrix, Vector
 from covey.kernels.capture.interception import earliest_capture
 from covey.kernels.capture.pursuit import Pursuit, disk_after, initial_disk
 
 
-@compiled
-def capture_times(paths: Floats, pursuit: Pursuit, sequence: Ints, times: Floats) -> float:
-    """Algorithm 1: write the capture times in the order of `sequence`; return the last time."""
+@entry
+def capture_times(paths: Matrix, pursuit: Pursuit, sequence: IntVector, times: Vector) -> float:
+    """Algorithm 1: write the capture times in the order of `sequence`; return the last time.
+
+    Parameters
+    ----------
+    paths
+        (n, PATH).
+    pursuit
+        The pursuer.
+    sequence
+        (m,) numbers of evaders, each at most once.
+    times
+        (m,) modified in place.
+    """
     disk, time = initial_disk(pursuit), 0.0
     for k in range(len(sequence)):
         time = earliest_capture(paths, sequence[k], disk)

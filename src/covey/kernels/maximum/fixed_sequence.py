@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels._jit import compiled
-from covey.kernels.arrays import Floats, Ints
+from covey.kernels._jit import compiled, entry
+from covey.kernels.arrays import Floats, IntMatrix, Ints, IntVector, Matrix, Vector
 from covey.kernels.capture.interception import earliest_capture
 from covey.kernels.capture.path import PATH, TURN_RATE, set_paths
 from covey.kernels.capture.pursuit import Pursuit, disk_after, initial_disk
@@ -31,11 +31,11 @@ _MAX_ROUNDS = 200
 class Grid(NamedTuple):
     """A grid of `nodes` turns for each of n evaders; evader i has rows i * nodes onward."""
 
-    evaders: Floats  # (n * nodes, EVADER)
-    turns: Floats  # (n * nodes,)
-    paths: Floats  # (n * nodes, PATH)
-    latest: Floats  # (n, nodes) latest capture by slot in the sequence
-    predecessor: Ints  # (n, nodes) the node of the evader before, with which it is attained
+    evaders: Matrix  # (n * nodes, EVADER)
+    turns: Vector  # (n * nodes,)
+    paths: Matrix  # (n * nodes, PATH)
+    latest: Matrix  # (n, nodes) latest capture by slot in the sequence
+    predecessor: IntMatrix  # (n, nodes) the node of the evader before, with which it is attained
 
 
 def new_grid(evaders: Floats, nodes: int) -> Grid:
@@ -50,11 +50,12 @@ def new_grid(evaders: Floats, nodes: int) -> Grid:
     )
 
 
-@compiled
-def lay_grid(grid: Grid, centers: Floats, width: float, pursuer_speed: float) -> None:
+@entry
+def lay_grid(grid: Grid, centers: Vector, width: float, pursuer_speed: float) -> None:
     """Spread every evader's turns over `width` to both sides of its centre.
 
-    The nearest come first, so that among equals the smallest change of the turn wins. Turns at a
+    `centers` (n,) and `width` are radians; the grid's turns and paths are modified in place. The
+    nearest come first, so that among equals the smallest change of the turn wins. Turns at a
     limited rate stay within [-π, π]; others go round.
     """
     nodes = grid.latest.shape[1]
@@ -69,23 +70,26 @@ def lay_grid(grid: Grid, centers: Floats, width: float, pursuer_speed: float) ->
     set_paths(grid.evaders, grid.turns, pursuer_speed, grid.paths)
 
 
-@compiled
-def first_captures(paths: Floats, pursuit: Pursuit, i: int, latest: Floats) -> None:
-    """Write when evader i, on each of its paths, is captured first of all."""
+@entry
+def first_captures(paths: Matrix, pursuit: Pursuit, i: int, latest: Vector) -> None:
+    """Write when evader i, on each of its paths, is captured first of all.
+
+    `paths` (N * nodes, PATH) are those of a `Grid`, `latest` (nodes,) is modified in place.
+    """
     nodes = len(latest)
     for j in range(nodes):
         latest[j] = earliest_capture(paths, i * nodes + j, initial_disk(pursuit))
 
 
-@compiled
+@entry
 def next_captures(
-    paths: Floats,
+    paths: Matrix,
     pursuit: Pursuit,
     previous: int,
     i: int,
-    earlier: Floats,
-    latest: Floats,
-    predecessor: Ints,
+    earlier: Vector,
+    latest: Vector,
+    predecessor: IntVector,
 ) -> None:
     """Write when evader i, on each of its paths, is captured `latest`, and by which predecessor.
 
@@ -160,9 +164,9 @@ def new_grids(evaders: Floats) -> Grids:
     return Grids(new_grid(evaders, COARSE), new_grid(evaders, FINE))
 
 
-@compiled
+@entry
 def latest_in_sequence(
-    pursuit: Pursuit, sequence: Ints, tolerance: float, grids: Grids, turns: Floats
+    pursuit: Pursuit, sequence: IntVector, tolerance: float, grids: Grids, turns: Vector
 ) -> bool:
     """Write the turns with the latest last capture; return whether they are settled.
 

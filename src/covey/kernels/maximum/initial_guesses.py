@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from covey.kernels._jit import compiled
-from covey.kernels.arrays import Floats
+from covey.kernels.arrays import Floats, Matrix, Vector
 from covey.kernels.capture.path import HEADING, TURN_RATE, X, Y, wrapped
 from covey.kernels.maximum.local_maximum import exact_value
 from covey.kernels.maximum.problem import Problem
@@ -34,14 +34,14 @@ _MAX_VARIED = 3  # evaders that turn elsewhere than in the plan that is varied
 class Elite(NamedTuple):
     """The best plans so far, the best plan first."""
 
-    values: Floats  # (ELITE,) -inf where there is none
-    turns: Floats  # (ELITE, n)
+    values: Vector  # (ELITE,) -inf where there is none
+    turns: Matrix  # (ELITE, n)
 
 
 class Guesses(NamedTuple):
     """What a range of initial guesses is made from."""
 
-    uniforms: Floats  # (CANDIDATES * (guesses - 1), n) random numbers in [-1, 1]
+    uniforms: Matrix  # (CANDIDATES * (guesses - 1), n) random numbers in [-1, 1]
     elite: Elite  # modified in place after each batch
     first: int  # number of the first guess
     size: int  # how many guesses

@@ -37,7 +37,7 @@ def exact_value(problem: Problem, turns: Floats, cutoff: float, scratch: AscentS
     set_paths(problem.evaders, turns, problem.pursuit.speed, here.paths)
     if problem.objective.expected:
         return expected_value(problem, here)
-    paths, sequence, times = here.paths[:n], scratch.worst[:n], here.times[0, :n]
+    paths, sequence, times = here.paths[:n], scratch.inner.sequence[:n], scratch.inner.times[:n]
     if total:
         nearest_first(paths, problem.pursuit, -1, sequence, times)
     else:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Workspace, begin_carving, floats, rows
+from covey.kernels._jit import compiled, entry, inlined
+from covey.kernels.arrays import Floats, Matrix, Workspace, floats, rows
 from covey.kernels.maximum.initial_guesses import (
     BATCH,
     ELITE,
@@ -41,28 +41,27 @@ steps may leap from one maximum to another."""
 class SearchScratch(NamedTuple):
     """Arrays of a search for up to n evaders."""
 
+    ascent: AscentScratch
     candidate: Floats  # (n,)
     iterate: Iterate  # of the present ascent
     batch: Elite  # (BATCH,) results of the present batch
     elite: Elite
-    ascent: AscentScratch
 
 
 @inlined
 def search_scratch(workspace: Workspace) -> SearchScratch:
     """Carve the scratch of searches."""
-    begin_carving(workspace)
     n = workspace.size
     return SearchScratch(
+        ascent_scratch(workspace),
         floats(workspace, n),
         Iterate(floats(workspace, n), working_set_scratch(workspace)),
         Elite(floats(workspace, BATCH), rows(workspace, BATCH)),
         Elite(floats(workspace, ELITE), rows(workspace, ELITE)),
-        ascent_scratch(workspace),
     )
 
 
-@compiled
+@entry
 def multistart(
     problem: Problem,
     guesses: Guesses,
@@ -119,10 +118,11 @@ def multistart(
     return best, status, counters[STEPS], counters[INTERCEPTIONS]
 
 
-@compiled
+@entry
 def refine(
     problem: Problem,
-    guesses: Guesses,
+    uniforms: Matrix,
+    restarts: int,
     options: Options,
     lower_bound: float,
     iterate: Iterate,
@@ -134,8 +134,8 @@ def refine(
     ----------
     problem
         The living evaders (n), the pursuit, the objective.
-    guesses
-        The other initial guesses; `size` 0: none. The elite is overwritten by the results.
+    uniforms, restarts
+        Random numbers of the other initial guesses, see `Guesses`, and how many guesses there are.
     options
         Of the ascent from the iterate. The other ascents differ in their first radius.
     lower_bound
@@ -154,8 +154,9 @@ def refine(
     scratch = search_scratch(workspace)
     value, status = maximise(problem, iterate, options, lower_bound, scratch.ascent)
     steps, interceptions = scratch.ascent.counters[STEPS], scratch.ascent.counters[INTERCEPTIONS]
-    if guesses.size > 0:
-        for k in range(len(guesses.elite.values)):
+    if restarts > 0:
+        guesses = Guesses(uniforms, scratch.elite, 0, restarts)
+        for k in range(ELITE):
             guesses.elite.values[k] = -math.inf
         insert(guesses.elite, value, iterate.turns)
         options = Options(RADIUS_RANDOM, options.tolerance, options.max_steps)

@@ -5,16 +5,16 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled
-from covey.kernels.arrays import Floats, Ints
+from covey.kernels.arrays import IntMatrix, IntVector, Vector
 from covey.kernels.maximum.working_set import without
 
 
 class Draws(NamedTuple):
     """The capture sequences that an expected pursuer draws from."""
 
-    used: Ints  # (1,) how many rows are in use
-    sequences: Ints  # (K, n)
-    probabilities: Floats  # (K,)
+    used: IntVector  # (1,) how many rows are in use
+    sequences: IntMatrix  # (K, n)
+    probabilities: Vector  # (K,)
 
 
 class Objective(NamedTuple):

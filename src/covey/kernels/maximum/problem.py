@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from covey.kernels.arrays import Floats
+from covey.kernels.arrays import Matrix, Vector
 from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.maximum.objective import Objective
 from covey.kernels.maximum.working_set import WorkingSet
@@ -20,7 +20,7 @@ COUNTERS = 3
 class Problem(NamedTuple):
     """What is maximised: the objective of the living evaders' turns."""
 
-    evaders: Floats  # (n, EVADER) of the living
+    evaders: Matrix  # (n, EVADER) of the living
     pursuit: Pursuit
     objective: Objective
 
@@ -28,7 +28,7 @@ class Problem(NamedTuple):
 class Iterate(NamedTuple):
     """Where an ascent stands. Both are modified in place."""
 
-    turns: Floats  # (n,) signed turns, radians in [-π, π]
+    turns: Vector  # (n,) signed turns, radians in [-π, π]
     working_set: WorkingSet
 
 

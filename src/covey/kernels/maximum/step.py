@@ -137,7 +137,7 @@ def make_exact(
     Returns also the row of the sequence that is added because it is below the bound, or -1.
     """
     n, total = len(problem.evaders), problem.objective.total
-    worst, added = scratch.worst[:n], -1
+    worst, added = scratch.inner.sequence[:n], -1
     least, interceptions = inner_minimum(
         point.paths[:n], problem.pursuit, total, bound, worst, scratch.inner
     )

@@ -27,12 +27,11 @@ MIN_RADIUS = 1e-9
 class AscentScratch(NamedTuple):
     """Arrays of an ascent with up to n evaders and m sequences."""
 
+    inner: InnerScratch
     here: Evaluation
     there: Evaluation  # at the trial
     turns: Floats  # (n,) of the trial
     first_turns: Floats  # (n,) of the trial before its correction
-    worst: Ints  # (n,) sequence that attains the inner minimum
-    inner: InnerScratch
     model: ModelScratch
     single: WorkingSet  # one row, which stands for a mean over drawn sequences
     counters: Ints  # (COUNTERS,) steps, inner solves, interceptions of this call
@@ -40,15 +39,14 @@ class AscentScratch(NamedTuple):
 
 @inlined
 def ascent_scratch(workspace: Workspace) -> AscentScratch:
-    """Carve the scratch of ascents."""
+    """Carve the scratch of ascents, before all else."""
     n = workspace.size
     scratch = AscentScratch(
-        evaluation_scratch(workspace),
-        evaluation_scratch(workspace),
-        floats(workspace, n),
-        floats(workspace, n),
-        ints(workspace, n),
         inner_scratch(workspace),
+        evaluation_scratch(workspace),
+        evaluation_scratch(workspace),
+        floats(workspace, n),
+        floats(workspace, n),
         model_scratch(workspace),
         working_set_scratch(workspace),
         ints(workspace, COUNTERS),

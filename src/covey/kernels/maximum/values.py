@@ -2,30 +2,33 @@
 
 from __future__ import annotations
 
-from covey.kernels._jit import compiled
-from covey.kernels.arrays import Floats, Ints, Workspace
+from covey.kernels._jit import entry
+from covey.kernels.arrays import IntVector, Matrix, Vector, Workspace
+from covey.kernels.capture.path import set_paths
 from covey.kernels.capture.pursuit import Pursuit
-from covey.kernels.maximum.multistart import search_scratch
 from covey.kernels.maximum.problem import Problem
-from covey.kernels.maximum.trial import evaluate
-from covey.kernels.minimum.inner_minimum import inner_minimum
+from covey.kernels.maximum.trial import ascent_scratch, evaluate
+from covey.kernels.minimum.inner_minimum import inner_minimum, inner_scratch
 
 
-@compiled
+@entry
 def minimum_over_sequences(
-    paths: Floats,
+    evaders: Matrix,
+    turns: Vector,
     pursuit: Pursuit,
     total: bool,
     bound: float,
-    sequence: Ints,
+    sequence: IntVector,
     workspace: Workspace,
 ) -> float:
-    """Return the inner minimum on given paths if it is below `bound`, else `bound`.
+    """Return the inner minimum at given turns if it is below `bound`, else `bound`.
 
     Parameters
     ----------
-    paths
-        (n, PATH).
+    evaders
+        (n, EVADER).
+    turns
+        (n,) signed turns, radians.
     pursuit
         The pursuer.
     total
@@ -37,13 +40,15 @@ def minimum_over_sequences(
     workspace
         With room for n evaders, and for sums where `total`; modified in place.
     """
-    scratch = search_scratch(workspace).ascent.inner
+    scratch = inner_scratch(workspace)
+    paths = scratch.paths[: len(turns)]
+    set_paths(evaders, turns, pursuit.speed, paths)
     value, _ = inner_minimum(paths, pursuit, total, bound, sequence, scratch)
     return value
 
 
-@compiled
-def mean_over_draws(problem: Problem, turns: Floats, workspace: Workspace) -> float:
+@entry
+def mean_over_draws(problem: Problem, turns: Vector, workspace: Workspace) -> float:
     """Return the mean over the drawn sequences at given turns (n,)."""
-    scratch = search_scratch(workspace).ascent
+    scratch = ascent_scratch(workspace)
     return evaluate(problem, turns, scratch.single, scratch.here)

@@ -12,16 +12,28 @@ from typing import NamedTuple
 import numpy as np
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Ints, Workspace, floats, int_rows, ints, path_rows, rows
+from covey.kernels.arrays import (
+    Floats,
+    IntMatrix,
+    Ints,
+    IntVector,
+    Vector,
+    Workspace,
+    floats,
+    int_rows,
+    ints,
+    path_rows,
+    rows,
+)
 
 
 class WorkingSet(NamedTuple):
     """Capture sequences and their multipliers, kept from one ascent to the next."""
 
-    used: Ints  # (1,) how many rows are in use
-    sequences: Ints  # (m, n)
-    weights: Floats  # (m,) multipliers of the last step, >= 0: the shares in the Hessian
-    values: Floats  # (m,) objective of each sequence where the last ascent ended
+    used: IntVector  # (1,) how many rows are in use
+    sequences: IntMatrix  # (m, n)
+    weights: Vector  # (m,) multipliers of the last step, >= 0: the shares in the Hessian
+    values: Vector  # (m,) objective of each sequence where the last ascent ended
 
 
 class Evaluation(NamedTuple):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Ints, Workspace
+from covey.kernels.arrays import Floats, Ints, Workspace, begin_carving, floats, ints, path_rows
 from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.minimum.labels import SubsetScratch, subset_scratch
 from covey.kernels.minimum.last_capture import min_last_capture
@@ -17,15 +17,22 @@ class InnerScratch(NamedTuple):
 
     last_capture: SubsetScratch
     total_time: TotalTimeScratch  # empty where the workspace has no room for sums
+    sequence: Ints  # (n,) for callers: one that attains the minimum
+    times: Floats  # (n,) for callers: capture times of a sequence
+    paths: Floats  # (n, PATH) for callers
 
 
 @inlined
 def inner_scratch(workspace: Workspace) -> InnerScratch:
-    """Carve the scratch of the inner minimum."""
+    """Carve the scratch of the inner minimum, before all else."""
+    begin_carving(workspace)
     n = workspace.size
     return InnerScratch(
         subset_scratch(workspace, n),
         total_time_scratch(workspace, n if workspace.total else 0),
+        ints(workspace, n),
+        floats(workspace, n),
+        path_rows(workspace, n),
     )
 
 

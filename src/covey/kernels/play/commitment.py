@@ -5,25 +5,24 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from covey.kernels._jit import compiled
-from covey.kernels.arrays import Floats, Ints, Workspace
+from covey.kernels._jit import entry
+from covey.kernels.arrays import IntVector, Matrix, Workspace
 from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.capture.sequence import capture_times, objective_value
-from covey.kernels.maximum.multistart import search_scratch
-from covey.kernels.minimum.inner_minimum import inner_minimum
+from covey.kernels.minimum.inner_minimum import inner_minimum, inner_scratch
 
 
 class Commitment(NamedTuple):
     """How a pursuer keeps to a sequence."""
 
     margin: float  # relative gain for which it changes the sequence; inf: never
-    sequence: Ints  # (N,) rows of the living; modified in place
+    sequence: IntVector  # (N,) rows of the living; modified in place
     is_chosen: bool  # False: it begins with the best sequence, and `sequence` holds nothing
 
 
-@compiled
+@entry
 def commit(
-    paths: Floats,
+    paths: Matrix,
     pursuit: Pursuit,
     total: bool,
     commitment: Commitment,
@@ -35,11 +34,11 @@ def commit(
     is relative to what the present sequence still comes to. A pursuer without a sequence takes the
     best. `paths` (n, PATH) are those of the living.
     """
-    scratch = search_scratch(workspace).ascent
+    scratch = inner_scratch(workspace)
     n, bound = len(paths), math.inf
-    sequence, times = commitment.sequence[:n], scratch.here.times[0, :n]
+    sequence, times = commitment.sequence[:n], scratch.times[:n]
     if commitment.is_chosen:
         capture_times(paths, pursuit, sequence, times)
         bound = objective_value(times, total) * (1.0 - commitment.margin)
     if bound > 0.0:
-        inner_minimum(paths, pursuit, total, bound, sequence, scratch.inner)
+        inner_minimum(paths, pursuit, total, bound, sequence, scratch)

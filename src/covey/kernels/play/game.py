@@ -7,11 +7,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels._jit import compiled
-from covey.kernels.arrays import Floats, Ints, Workspace
+from covey.kernels._jit import compiled, entry
+from covey.kernels.arrays import (
+    IntMatrix,
+    IntVector,
+    Matrix,
+    Tensor,
+    Vector,
+    Workspace,
+)
 from covey.kernels.capture.path import HEADING, X, Y
-from covey.kernels.maximum.multistart import search_scratch
+from covey.kernels.library.layout import kept
 from covey.kernels.maximum.working_set import without
+from covey.kernels.minimum.inner_minimum import inner_scratch
 from covey.kernels.minimum.last_capture import min_last_capture
 from covey.kernels.play.commitment import Commitment, commit
 from covey.kernels.play.policy import ReplanOptions, TeamMemory, replan_if_due
@@ -30,18 +38,19 @@ CAPTURES, ROWS, UPDATES = range(3)
 """Slots of a log's counters."""
 
 
+@kept
 class GameLog(NamedTuple):
     """The captures of a game, and its course: a row for each decision, T rows of them at most."""
 
-    counters: Ints  # (3,) captures, rows, updates
-    order: Ints  # (N,) captured evaders
-    capture_times: Floats  # (N,)
-    times: Floats  # (T,)
-    guarantees: Floats  # (T,)
-    evaders: Floats  # (T, N, 4) x, y, heading, turn still planned
-    pursuers: Floats  # (T, 5) position, then the disk's centre and radius
-    critical: Ints  # (T, N)
-    intended: Ints  # (T, N)
+    counters: IntVector  # (3,) captures, rows, updates
+    order: IntVector  # (N,) captured evaders
+    capture_times: Vector  # (N,)
+    times: Vector  # (T,)
+    guarantees: Vector  # (T,)
+    evaders: Tensor  # (T, N, 4) x, y, heading, turn still planned
+    pursuers: Matrix  # (T, 5) position, then the disk's centre and radius
+    critical: IntMatrix  # (T, N)
+    intended: IntMatrix  # (T, N)
 
 
 _COURSE = ("times", "guarantees", "evaders", "pursuers", "critical", "intended")
@@ -80,9 +89,9 @@ def cut_log(log: GameLog) -> GameLog:
     )
 
 
-@compiled
+@entry
 def write_row(
-    log: GameLog, state: State, rules: Rules, intended: Ints, workspace: Workspace
+    log: GameLog, state: State, rules: Rules, intended: IntVector, workspace: Workspace
 ) -> None:
     """Write the state, the plan that is announced and its guarantee to the log's next row.
 
@@ -107,10 +116,10 @@ def write_row(
     for k in range(len(intended)):
         log.intended[row, k] = state.ids[intended[k]]
     if n > 0:
-        scratch = search_scratch(workspace).ascent
-        pursuit, worst = pursuit_from(state.disk, rules), scratch.worst[:n]
+        scratch = inner_scratch(workspace)
+        pursuit, worst = pursuit_from(state.disk, rules), scratch.sequence[:n]
         log.guarantees[row], _ = min_last_capture(
-            state.paths[:n], pursuit, math.inf, worst, scratch.inner.last_capture
+            state.paths[:n], pursuit, math.inf, worst, scratch.last_capture
         )
         for k in range(n):
             log.critical[row, k] = state.ids[worst[k]]
@@ -132,7 +141,7 @@ def log_capture(log: GameLog, state: State, row: int) -> None:
     remove(state, row)
 
 
-@compiled
+@entry
 def play(
     state: State,
     rules: Rules,

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-import numpy.typing as npt
-
-from covey.kernels._jit import compiled
+from covey.kernels._jit import entry
+from covey.kernels.arrays import Float32Vector
 from covey.kernels.capture.path import EVADER, HEADING, SPEED, X, Y
 from covey.kernels.play.rules import State
 
@@ -18,9 +16,11 @@ DISK = 3
 """Numbers behind the last evader: the disk that the team knows of, x, y, radius."""
 
 
-@compiled
-def observe(state: State, x: float, y: float, first: int, seen: npt.NDArray[np.float32]) -> None:
+@entry
+def observe(state: State, x: float, y: float, first: int, seen: Float32Vector) -> None:
     """Write what is seen from (x, y): a row for each evader, then the disk that the team knows of.
+
+    `seen` (ROW * N + DISK,) is modified in place.
 
     Evader number `first` comes first, the others by number; a captured one is a row of zeros.
     """

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from covey.kernels._jit import compiled
-from covey.kernels.arrays import Floats, Workspace
-from covey.kernels.maximum.initial_guesses import Guesses
-from covey.kernels.maximum.multistart import RADIUS_WARM, refine, search_scratch
+from covey.kernels._jit import compiled, entry
+from covey.kernels.arrays import Matrix, Vector, Workspace
+from covey.kernels.library.layout import kept
+from covey.kernels.maximum.multistart import RADIUS_WARM, refine
 from covey.kernels.maximum.objective import Objective, condition_on_capture, elapsed_value
 from covey.kernels.maximum.problem import Iterate, Options, Problem
 from covey.kernels.maximum.working_set import WorkingSet, drop_evader
@@ -27,12 +27,13 @@ class ReplanOptions(NamedTuple):
     max_steps: int
 
 
+@kept
 class TeamMemory(NamedTuple):
     """What a team that replans keeps. All arrays are modified in place."""
 
     working_set: WorkingSet
-    uniforms: Floats  # of the initial guesses
-    last: Floats  # (2,) time and value of the last plan; value -inf: unknown
+    uniforms: Matrix  # of the initial guesses
+    last: Vector  # (2,) time and value of the last plan; value -inf: unknown
     objective: Objective
 
 
@@ -74,14 +75,14 @@ def replan_if_due(
         memory.last[0] = state.time[0]
 
 
-@compiled
+@entry
 def replan(
     problem: Problem,
     options: ReplanOptions,
     memory: TeamMemory,
     spent: float,
     restarts: int,
-    turns: Floats,
+    turns: Vector,
     workspace: Workspace,
 ) -> None:
     """Improve the turns (n,) that are flown, from them and from other initial guesses.
@@ -109,7 +110,8 @@ def replan(
     steps = options.max_steps if restarts > 0 else min(options.max_steps, UPDATE_STEPS)
     value, _, _, _ = refine(
         problem,
-        Guesses(memory.uniforms, search_scratch(workspace).elite, 0, restarts),
+        memory.uniforms,
+        restarts,
         Options(RADIUS_WARM, options.tolerance, steps),
         memory.last[1] - spent,
         Iterate(turns, memory.working_set),

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Ints
+from covey.kernels._jit import compiled, entry, inlined
+from covey.kernels.arrays import Floats, IntVector, Matrix, Vector
 from covey.kernels.capture.interception import earliest_capture
 from covey.kernels.capture.path import (
     EVADER,
@@ -26,6 +26,7 @@ from covey.kernels.capture.path import (
     set_paths,
 )
 from covey.kernels.capture.pursuit import GrowingDisk, Pursuit
+from covey.kernels.library.layout import kept
 from covey.kernels.play.first_contact import Flight, first_contact
 
 NOBODY = -1
@@ -34,6 +35,7 @@ MOST_UPDATES = 200_000
 """A game is stopped after so many: its record would take all memory."""
 
 
+@kept
 class Rules(NamedTuple):
     """What stays the same during a game."""
 
@@ -45,18 +47,19 @@ class Rules(NamedTuple):
     has_position: bool = False  # the pursuer is placed at the start, even where it is hidden
 
 
+@kept
 class State(NamedTuple):
     """The living, in the first `alive[0]` rows, and the pursuer."""
 
-    alive: Ints  # (1,)
-    ids: Ints  # (N,) numbers of the living
-    evaders: Floats  # (N, EVADER)
-    turns: Floats  # (N,) announced, still to be flown
-    paths: Floats  # (N, PATH) of what is announced, from now on
-    disk: Floats  # (3,) centre and radius of the disk that the team knows the pursuer in
-    time: Floats  # (1,)
-    capture_pose: Floats  # (N, 3) position and heading at the capture, by number
-    pursuer: Floats  # (3,) its position and 0; the whole disk where it has no position
+    alive: IntVector  # (1,)
+    ids: IntVector  # (N,) numbers of the living
+    evaders: Matrix  # (N, EVADER)
+    turns: Vector  # (N,) announced, still to be flown
+    paths: Matrix  # (N, PATH) of what is announced, from now on
+    disk: Vector  # (3,) centre and radius of the disk that the team knows the pursuer in
+    time: Vector  # (1,)
+    capture_pose: Matrix  # (N, 3) position and heading at the capture, by number
+    pursuer: Vector  # (3,) its position and 0; the whole disk where it has no position
 
 
 def initial_state(evaders: Floats, center_x: float, center_y: float, radius: float) -> State:
@@ -91,14 +94,14 @@ def moves(rules: Rules) -> bool:
     return rules.has_position or not rules.hidden
 
 
-@compiled
+@entry
 def announce(state: State, rules: Rules) -> None:
-    """Turn the announced turns into paths."""
+    """Write the paths of the announced turns to `state.paths`."""
     n = state.alive[0]
     set_paths(state.evaders[:n], state.turns[:n], rules.pursuer_speed, state.paths)
 
 
-@compiled
+@entry
 def fly(state: State, rules: Rules, target: int, velocity_x: float, velocity_y: float) -> int:
     """Fly what is announced until the next update or capture; return the captured row.
 

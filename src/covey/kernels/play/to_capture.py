@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 
-from covey.kernels._jit import compiled
+from covey.kernels._jit import compiled, entry
 from covey.kernels.arrays import Workspace
 from covey.kernels.capture.path import X, Y
-from covey.kernels.maximum.multistart import search_scratch
 from covey.kernels.maximum.objective import elapsed_value
-from covey.kernels.minimum.inner_minimum import inner_minimum
+from covey.kernels.minimum.inner_minimum import inner_minimum, inner_scratch
 from covey.kernels.play.policy import ReplanOptions, TeamMemory, replan_if_due
 from covey.kernels.play.rules import (
     MOST_UPDATES,
@@ -26,7 +25,7 @@ _ROUNDING = 1e-9
 """Of a delay, relative: a delay is a sum of times between updates."""
 
 
-@compiled
+@entry
 def play_to_capture(
     state: State,
     rules: Rules,
@@ -93,13 +92,16 @@ def is_due(time: float, contained_since: float, delay: float) -> bool:
     return delay == 0.0 or time - contained_since >= delay * (1.0 - _ROUNDING)
 
 
-@compiled
+@entry
 def guaranteed_value(state: State, rules: Rules, total: bool, workspace: Workspace) -> float:
-    """Return the guaranteed last capture, or sum, if the living fly their plan to the end."""
+    """Return the guaranteed last capture, or sum, if the living fly their plan to the end.
+
+    The paths of the state and the workspace are modified in place.
+    """
     announce(state, rules)
-    n, ascent = state.alive[0], search_scratch(workspace).ascent
+    n, scratch = state.alive[0], inner_scratch(workspace)
     pursuit = pursuit_from(state.disk, rules)
     rest, _ = inner_minimum(
-        state.paths[:n], pursuit, total, math.inf, ascent.worst[:n], ascent.inner
+        state.paths[:n], pursuit, total, math.inf, scratch.sequence[:n], scratch
     )
     return rest + elapsed_value(state.time[0], n, total)

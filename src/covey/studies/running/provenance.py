@@ -6,7 +6,7 @@ import hashlib
 import os
 import platform
 from functools import cache
-from importlib.metadata import version
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 _LIBRARIES = ("numba", "llvmlite", "numpy", "pyarrow")
@@ -46,8 +46,15 @@ def digest_of(package: Path) -> str:
 def versions() -> dict[str, str]:
     """Return the versions of everything that may change a number or a byte of the tables."""
     found = {"python": platform.python_version(), "covey": version("covey")}
-    found |= {name: version(name) for name in _LIBRARIES}
+    found |= {name: _version(name) for name in _LIBRARIES}
     return {**found, "covey_code": code_digest()}
+
+
+def _version(library: str) -> str:
+    try:
+        return version(library)
+    except PackageNotFoundError:  # the compiler, where covey came with its kernels compiled
+        return "not installed"
 
 
 def machine() -> dict[str, object]:

@@ -1,0 +1,1056 @@
+/* The entries of covey's compiled kernels.
+
+   An entry takes a pointer to its words, eight bytes each, and a pointer to its results. It
+   returns 0; anything else is a defect. An array is contiguous; behind its address stand its
+   dimensions. A record is its fields, one after the other. The caller owns all memory. An entry
+   writes to its results and to the arrays that it modifies in place, and keeps no pointer. It may
+   run in several threads at a time if they share no array that is modified. Angles are radians;
+   lengths and times are in any consistent unit. Truth values are 0 or 1.
+
+   Written by `python -m covey.kernels.builder.header`. */
+
+#include <stdint.h>
+
+/* Add `weight` times the Hessian of the objective to the lower triangle of `hessian`.
+
+   The Hessian is Z' (∇² of Σ μ_k * equation k) Z, with Z the derivatives of times and turns by the
+   turns. For each capture, in order:
+
+   1. `now`: the derivatives of T_k, by the chain rule from those of T_{k-1}.
+   2. The distance |P_k - P_{k-1}| curves with the square of what moves across n_k.
+   3. The evader's own path curves: in time on the arc; in time and turn on the straight part.
+
+   Parameters
+   ----------
+   paths, pursuit, sequence
+       As for `differentiate`, (n, PATH) and (n,).
+   captures
+       As `differentiate` left them; `slopes` modified in place.
+   weight
+       Of this sequence.
+   hessian
+       (n, n) or more, time per radian squared; its lower triangle is modified in place. */
+struct covey_add_curvature_words {
+    double *paths; int64_t paths_0, paths_1;
+    double pursuit_center_x;
+    double pursuit_center_y;
+    double pursuit_first_radius;
+    double pursuit_later_radius;
+    double pursuit_speed;
+    int64_t *sequence; int64_t sequence_0;
+    double *captures_times; int64_t captures_times_0; /* (n,) or more */
+    double *captures_rows; int64_t captures_rows_0, captures_rows_1; /* (n, CAPTURE_ROW) or more */
+    double *captures_slopes; int64_t captures_slopes_0, captures_slopes_1; /* (3, n) or more: derivatives of T_{k-1} and T_k, and of the distance across n_k */
+    double weight;
+    double *hessian; int64_t hessian_0, hessian_1;
+};
+int64_t covey_add_curvature(const struct covey_add_curvature_words *words, void *results);
+
+/* Write the paths of the announced turns to `state.paths`. */
+struct covey_announce_words {
+    int64_t *state_alive; int64_t state_alive_0; /* (1,) */
+    int64_t *state_ids; int64_t state_ids_0; /* (N,) numbers of the living */
+    double *state_evaders; int64_t state_evaders_0, state_evaders_1; /* (N, EVADER) */
+    double *state_turns; int64_t state_turns_0; /* (N,) announced, still to be flown */
+    double *state_paths; int64_t state_paths_0, state_paths_1; /* (N, PATH) of what is announced, from now on */
+    double *state_disk; int64_t state_disk_0; /* (3,) centre and radius of the disk that the team knows the pursuer in */
+    double *state_time; int64_t state_time_0; /* (1,) */
+    double *state_capture_pose; int64_t state_capture_pose_0, state_capture_pose_1; /* (N, 3) position and heading at the capture, by number */
+    double *state_pursuer; int64_t state_pursuer_0; /* (3,) its position and 0; the whole disk where it has no position */
+    double rules_pursuer_speed;
+    double rules_reach; /* ρ */
+    int64_t rules_hidden;
+    double rules_update_time;
+    double rules_time_limit;
+    int64_t rules_has_position; /* the pursuer is placed at the start, even where it is hidden */
+};
+int64_t covey_announce(const struct covey_announce_words *words, void *results);
+
+/* Algorithm 1: write the capture times in the order of `sequence`; return the last time.
+
+   Parameters
+   ----------
+   paths
+       (n, PATH).
+   pursuit
+       The pursuer.
+   sequence
+       (m,) numbers of evaders, each at most once.
+   times
+       (m,) modified in place. */
+struct covey_capture_times_words {
+    double *paths; int64_t paths_0, paths_1;
+    double pursuit_center_x;
+    double pursuit_center_y;
+    double pursuit_first_radius;
+    double pursuit_later_radius;
+    double pursuit_speed;
+    int64_t *sequence; int64_t sequence_0;
+    double *times; int64_t times_0;
+};
+struct covey_capture_times_results {
+    double value_0;
+};
+int64_t covey_capture_times(const struct covey_capture_times_words *words, struct covey_capture_times_results *results);
+
+/* Replace the pursuer's sequence where another sequence is better by more than the margin.
+
+   Better is an earlier last capture or, with `total`, a smaller sum of capture times. The margin
+   is relative to what the present sequence still comes to. A pursuer without a sequence takes the
+   best. `paths` (n, PATH) are those of the living. */
+struct covey_commit_words {
+    double *paths; int64_t paths_0, paths_1;
+    double pursuit_center_x;
+    double pursuit_center_y;
+    double pursuit_first_radius;
+    double pursuit_later_radius;
+    double pursuit_speed;
+    int64_t total;
+    double commitment_margin; /* relative gain for which it changes the sequence; inf: never */
+    int64_t *commitment_sequence; int64_t commitment_sequence_0; /* (N,) rows of the living; modified in place */
+    int64_t commitment_is_chosen; /* False: it begins with the best sequence, and `sequence` holds nothing */
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+};
+int64_t covey_commit(const struct covey_commit_words *words, void *results);
+
+/* Write the gradient of the last capture, or of the sum, by every evader's turn.
+
+   1. Forward: the geometry of each capture. An evader that is in the disk when it is due is
+      captured at that instant: T_k = T_{k-1}, which is the equation above with n_k = 0. While an
+      evader turns, its position doesn't depend on the turn's final angle.
+   2. Backward: the multipliers, the costates ∂L/∂P_k, and from them the gradient.
+
+   Parameters
+   ----------
+   paths
+       (n, PATH).
+   pursuit
+       The pursuer.
+   sequence
+       (n,) the order of capture.
+   total
+       Whether the objective is the sum of all capture times.
+   captures
+       `times` as Algorithm 1 writes them; `rows` modified in place.
+   gradient
+       (n,) by evader, time per radian; modified in place. */
+struct covey_differentiate_words {
+    double *paths; int64_t paths_0, paths_1;
+    double pursuit_center_x;
+    double pursuit_center_y;
+    double pursuit_first_radius;
+    double pursuit_later_radius;
+    double pursuit_speed;
+    int64_t *sequence; int64_t sequence_0;
+    int64_t total;
+    double *captures_times; int64_t captures_times_0; /* (n,) or more */
+    double *captures_rows; int64_t captures_rows_0, captures_rows_1; /* (n, CAPTURE_ROW) or more */
+    double *captures_slopes; int64_t captures_slopes_0, captures_slopes_1; /* (3, n) or more: derivatives of T_{k-1} and T_k, and of the distance across n_k */
+    double *gradient; int64_t gradient_0;
+};
+int64_t covey_differentiate(const struct covey_differentiate_words *words, void *results);
+
+/* Write the earliest capture of each path (n, PATH) to `times` (n,), all by the same disk. */
+struct covey_earliest_captures_words {
+    double *paths; int64_t paths_0, paths_1;
+    double disk_x;
+    double disk_y;
+    double disk_radius;
+    double disk_time;
+    double disk_speed;
+    double *times; int64_t times_0;
+};
+int64_t covey_earliest_captures(const struct covey_earliest_captures_words *words, void *results);
+
+/* Write when evader i, on each of its paths, is captured first of all.
+
+   `paths` (N * nodes, PATH) are those of a `Grid`, `latest` (nodes,) is modified in place. */
+struct covey_first_captures_words {
+    double *paths; int64_t paths_0, paths_1;
+    double pursuit_center_x;
+    double pursuit_center_y;
+    double pursuit_first_radius;
+    double pursuit_later_radius;
+    double pursuit_speed;
+    int64_t i;
+    double *latest; int64_t latest_0;
+};
+int64_t covey_first_captures(const struct covey_first_captures_words *words, void *results);
+
+/* Fly what is announced until the next update or capture; return the captured row.
+
+   1. The pursuer makes for its target, or flies the velocity. A hidden pursuer is its disk, unless
+      it has a position. It captures its target when the disk reaches the target, and nobody else.
+   2. A pursuer with a position and a reach captures whomever it comes within ρ of first.
+   3. Pursuer, disk and evaders move to the time of the capture, or of the update.
+
+   Parameters
+   ----------
+   state
+       Modified in place. A captured evader stays in the state until `remove` is called.
+   rules
+       Of the game.
+   target
+       Row of the living evader that the pursuer makes for, or `NOBODY`.
+   velocity_x, velocity_y
+       Of a pursuer without a target.
+
+   Returns
+   -------
+   int
+       The row of the captured evader, or `NOBODY`. */
+struct covey_fly_words {
+    int64_t *state_alive; int64_t state_alive_0; /* (1,) */
+    int64_t *state_ids; int64_t state_ids_0; /* (N,) numbers of the living */
+    double *state_evaders; int64_t state_evaders_0, state_evaders_1; /* (N, EVADER) */
+    double *state_turns; int64_t state_turns_0; /* (N,) announced, still to be flown */
+    double *state_paths; int64_t state_paths_0, state_paths_1; /* (N, PATH) of what is announced, from now on */
+    double *state_disk; int64_t state_disk_0; /* (3,) centre and radius of the disk that the team knows the pursuer in */
+    double *state_time; int64_t state_time_0; /* (1,) */
+    double *state_capture_pose; int64_t state_capture_pose_0, state_capture_pose_1; /* (N, 3) position and heading at the capture, by number */
+    double *state_pursuer; int64_t state_pursuer_0; /* (3,) its position and 0; the whole disk where it has no position */
+    double rules_pursuer_speed;
+    double rules_reach; /* ρ */
+    int64_t rules_hidden;
+    double rules_update_time;
+    double rules_time_limit;
+    int64_t rules_has_position; /* the pursuer is placed at the start, even where it is hidden */
+    int64_t target;
+    double velocity_x;
+    double velocity_y;
+};
+struct covey_fly_results {
+    int64_t value_0;
+};
+int64_t covey_fly(const struct covey_fly_words *words, struct covey_fly_results *results);
+
+/* Fly each pursuer of a batch at its velocity; each team flies its plan, and replans.
+
+   Parameters
+   ----------
+   states
+       Of B games; modified in place.
+   rules
+       Of all games.
+   velocities
+       (B, 2) of the pursuers.
+   team
+       How the teams replan.
+   memories
+       Of the teams; modified in place.
+   workspace
+       With room for all evaders of a game; modified in place. */
+struct covey_fly_pursuers_words {
+    int64_t *states_alive; int64_t states_alive_0; /* (1,) */
+    int64_t *states_ids; int64_t states_ids_0; /* (N,) numbers of the living */
+    double *states_evaders; int64_t states_evaders_0, states_evaders_1; /* (N, EVADER) */
+    double *states_turns; int64_t states_turns_0; /* (N,) announced, still to be flown */
+    double *states_paths; int64_t states_paths_0, states_paths_1; /* (N, PATH) of what is announced, from now on */
+    double *states_disk; int64_t states_disk_0; /* (3,) centre and radius of the disk that the team knows the pursuer in */
+    double *states_time; int64_t states_time_0; /* (1,) */
+    double *states_capture_pose; int64_t states_capture_pose_0, states_capture_pose_1; /* (N, 3) position and heading at the capture, by number */
+    double *states_pursuer; int64_t states_pursuer_0; /* (3,) its position and 0; the whole disk where it has no position */
+    double rules_pursuer_speed;
+    double rules_reach; /* ρ */
+    int64_t rules_hidden;
+    double rules_update_time;
+    double rules_time_limit;
+    int64_t rules_has_position; /* the pursuer is placed at the start, even where it is hidden */
+    double *velocities; int64_t velocities_0, velocities_1;
+    int64_t team_replans; /* iterative open loop, or open loop */
+    double team_interval; /* least time between two plans, unless there is a capture */
+    int64_t team_restarts; /* initial guesses other than the last plan, after a capture */
+    double team_tolerance;
+    int64_t team_max_steps;
+    int64_t *memories_working_set_used; int64_t memories_working_set_used_0; /* (1,) how many rows are in use */
+    int64_t *memories_working_set_sequences; int64_t memories_working_set_sequences_0, memories_working_set_sequences_1; /* (m, n) */
+    double *memories_working_set_weights; int64_t memories_working_set_weights_0; /* (m,) multipliers of the last step, >= 0: the shares in the Hessian */
+    double *memories_working_set_values; int64_t memories_working_set_values_0; /* (m,) objective of each sequence where the last ascent ended */
+    double *memories_uniforms; int64_t memories_uniforms_0, memories_uniforms_1; /* of the initial guesses */
+    double *memories_last; int64_t memories_last_0; /* (2,) time and value of the last plan; value -inf: unknown */
+    int64_t memories_objective_total; /* the sum of all capture times; else the last capture */
+    int64_t memories_objective_expected; /* the mean over the drawn sequences; else the minimum over all sequences */
+    int64_t *memories_objective_draws_used; int64_t memories_objective_draws_used_0; /* (1,) how many rows are in use */
+    int64_t *memories_objective_draws_sequences; int64_t memories_objective_draws_sequences_0, memories_objective_draws_sequences_1; /* (K, n) */
+    double *memories_objective_draws_probabilities; int64_t memories_objective_draws_probabilities_0; /* (K,) */
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+};
+int64_t covey_fly_pursuers(const struct covey_fly_pursuers_words *words, void *results);
+
+/* Turn each evader by its turn (B, N), by number; each pursuer keeps to its sequence.
+
+   States and commitments of the B games are modified in place. */
+struct covey_fly_teams_words {
+    int64_t *states_alive; int64_t states_alive_0; /* (1,) */
+    int64_t *states_ids; int64_t states_ids_0; /* (N,) numbers of the living */
+    double *states_evaders; int64_t states_evaders_0, states_evaders_1; /* (N, EVADER) */
+    double *states_turns; int64_t states_turns_0; /* (N,) announced, still to be flown */
+    double *states_paths; int64_t states_paths_0, states_paths_1; /* (N, PATH) of what is announced, from now on */
+    double *states_disk; int64_t states_disk_0; /* (3,) centre and radius of the disk that the team knows the pursuer in */
+    double *states_time; int64_t states_time_0; /* (1,) */
+    double *states_capture_pose; int64_t states_capture_pose_0, states_capture_pose_1; /* (N, 3) position and heading at the capture, by number */
+    double *states_pursuer; int64_t states_pursuer_0; /* (3,) its position and 0; the whole disk where it has no position */
+    double rules_pursuer_speed;
+    double rules_reach; /* ρ */
+    int64_t rules_hidden;
+    double rules_update_time;
+    double rules_time_limit;
+    int64_t rules_has_position; /* the pursuer is placed at the start, even where it is hidden */
+    double *turns; int64_t turns_0, turns_1;
+    double pursuers_margin;
+    int64_t *pursuers_sequences; int64_t pursuers_sequences_0; /* (B N,) */
+    int64_t *pursuers_chosen; int64_t pursuers_chosen_0; /* (B,) 0 where a pursuer has no sequence yet */
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+};
+int64_t covey_fly_teams(const struct covey_fly_teams_words *words, void *results);
+
+/* Return the guaranteed last capture, or sum, if the living fly their plan to the end.
+
+   The paths of the state and the workspace are modified in place. */
+struct covey_guaranteed_value_words {
+    int64_t *state_alive; int64_t state_alive_0; /* (1,) */
+    int64_t *state_ids; int64_t state_ids_0; /* (N,) numbers of the living */
+    double *state_evaders; int64_t state_evaders_0, state_evaders_1; /* (N, EVADER) */
+    double *state_turns; int64_t state_turns_0; /* (N,) announced, still to be flown */
+    double *state_paths; int64_t state_paths_0, state_paths_1; /* (N, PATH) of what is announced, from now on */
+    double *state_disk; int64_t state_disk_0; /* (3,) centre and radius of the disk that the team knows the pursuer in */
+    double *state_time; int64_t state_time_0; /* (1,) */
+    double *state_capture_pose; int64_t state_capture_pose_0, state_capture_pose_1; /* (N, 3) position and heading at the capture, by number */
+    double *state_pursuer; int64_t state_pursuer_0; /* (3,) its position and 0; the whole disk where it has no position */
+    double rules_pursuer_speed;
+    double rules_reach; /* ρ */
+    int64_t rules_hidden;
+    double rules_update_time;
+    double rules_time_limit;
+    int64_t rules_has_position; /* the pursuer is placed at the start, even where it is hidden */
+    int64_t total;
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+};
+struct covey_guaranteed_value_results {
+    double value_0;
+};
+int64_t covey_guaranteed_value(const struct covey_guaranteed_value_words *words, struct covey_guaranteed_value_results *results);
+
+/* Write the turns with the latest last capture; return whether they are settled.
+
+   1. The best turns of the coarse grid.
+   2. Fine grids around the best turns. The grid narrows only where the best turns are not on its
+      border.
+
+   Parameters
+   ----------
+   pursuit
+       The pursuer.
+   sequence
+       (n,) the order of capture.
+   tolerance
+       Radians; settled turns are known to it.
+   grids
+       Of the evaders; modified in place.
+   turns
+       (n,) zeros; modified in place. */
+struct covey_latest_in_sequence_words {
+    double pursuit_center_x;
+    double pursuit_center_y;
+    double pursuit_first_radius;
+    double pursuit_later_radius;
+    double pursuit_speed;
+    int64_t *sequence; int64_t sequence_0;
+    double tolerance;
+    double *grids_coarse_evaders; int64_t grids_coarse_evaders_0, grids_coarse_evaders_1; /* (n * nodes, EVADER) */
+    double *grids_coarse_turns; int64_t grids_coarse_turns_0; /* (n * nodes,) */
+    double *grids_coarse_paths; int64_t grids_coarse_paths_0, grids_coarse_paths_1; /* (n * nodes, PATH) */
+    double *grids_coarse_latest; int64_t grids_coarse_latest_0, grids_coarse_latest_1; /* (n, nodes) latest capture by slot in the sequence */
+    int64_t *grids_coarse_predecessor; int64_t grids_coarse_predecessor_0, grids_coarse_predecessor_1; /* (n, nodes) the node of the evader before, with which it is attained */
+    double *grids_fine_evaders; int64_t grids_fine_evaders_0, grids_fine_evaders_1; /* (n * nodes, EVADER) */
+    double *grids_fine_turns; int64_t grids_fine_turns_0; /* (n * nodes,) */
+    double *grids_fine_paths; int64_t grids_fine_paths_0, grids_fine_paths_1; /* (n * nodes, PATH) */
+    double *grids_fine_latest; int64_t grids_fine_latest_0, grids_fine_latest_1; /* (n, nodes) latest capture by slot in the sequence */
+    int64_t *grids_fine_predecessor; int64_t grids_fine_predecessor_0, grids_fine_predecessor_1; /* (n, nodes) the node of the evader before, with which it is attained */
+    double *turns; int64_t turns_0;
+};
+struct covey_latest_in_sequence_results {
+    int64_t value_0;
+};
+int64_t covey_latest_in_sequence(const struct covey_latest_in_sequence_words *words, struct covey_latest_in_sequence_results *results);
+
+/* Spread every evader's turns over `width` to both sides of its centre.
+
+   `centers` (n,) and `width` are radians; the grid's turns and paths are modified in place. The
+   nearest come first, so that among equals the smallest change of the turn wins. Turns at a
+   limited rate stay within [-π, π]; others go round. */
+struct covey_lay_grid_words {
+    double *grid_evaders; int64_t grid_evaders_0, grid_evaders_1; /* (n * nodes, EVADER) */
+    double *grid_turns; int64_t grid_turns_0; /* (n * nodes,) */
+    double *grid_paths; int64_t grid_paths_0, grid_paths_1; /* (n * nodes, PATH) */
+    double *grid_latest; int64_t grid_latest_0, grid_latest_1; /* (n, nodes) latest capture by slot in the sequence */
+    int64_t *grid_predecessor; int64_t grid_predecessor_0, grid_predecessor_1; /* (n, nodes) the node of the evader before, with which it is attained */
+    double *centers; int64_t centers_0;
+    double width;
+    double pursuer_speed;
+};
+int64_t covey_lay_grid(const struct covey_lay_grid_words *words, void *results);
+
+/* Return the mean over the drawn sequences at given turns (n,). */
+struct covey_mean_over_draws_words {
+    double *problem_evaders; int64_t problem_evaders_0, problem_evaders_1; /* (n, EVADER) of the living */
+    double problem_pursuit_center_x;
+    double problem_pursuit_center_y;
+    double problem_pursuit_first_radius;
+    double problem_pursuit_later_radius;
+    double problem_pursuit_speed;
+    int64_t problem_objective_total; /* the sum of all capture times; else the last capture */
+    int64_t problem_objective_expected; /* the mean over the drawn sequences; else the minimum over all sequences */
+    int64_t *problem_objective_draws_used; int64_t problem_objective_draws_used_0; /* (1,) how many rows are in use */
+    int64_t *problem_objective_draws_sequences; int64_t problem_objective_draws_sequences_0, problem_objective_draws_sequences_1; /* (K, n) */
+    double *problem_objective_draws_probabilities; int64_t problem_objective_draws_probabilities_0; /* (K,) */
+    double *turns; int64_t turns_0;
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+};
+struct covey_mean_over_draws_results {
+    double value_0;
+};
+int64_t covey_mean_over_draws(const struct covey_mean_over_draws_words *words, struct covey_mean_over_draws_results *results);
+
+/* Return the inner minimum at given turns if it is below `bound`, else `bound`.
+
+   Parameters
+   ----------
+   evaders
+       (n, EVADER).
+   turns
+       (n,) signed turns, radians.
+   pursuit
+       The pursuer.
+   total
+       Whether the sum of all capture times is minimised; else the last capture.
+   bound
+       inf, or an upper bound.
+   sequence
+       (n,) the order that attains the minimum; modified in place where one beats the bound.
+   workspace
+       With room for n evaders, and for sums where `total`; modified in place. */
+struct covey_minimum_over_sequences_words {
+    double *evaders; int64_t evaders_0, evaders_1;
+    double *turns; int64_t turns_0;
+    double pursuit_center_x;
+    double pursuit_center_y;
+    double pursuit_first_radius;
+    double pursuit_later_radius;
+    double pursuit_speed;
+    int64_t total;
+    double bound;
+    int64_t *sequence; int64_t sequence_0;
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+};
+struct covey_minimum_over_sequences_results {
+    double value_0;
+};
+int64_t covey_minimum_over_sequences(const struct covey_minimum_over_sequences_words *words, struct covey_minimum_over_sequences_results *results);
+
+/* Ascend from a range of initial guesses.
+
+   Among equals the first plan wins, so that a team doesn't change its plan for nothing.
+
+   Parameters
+   ----------
+   problem
+       The living evaders (n), the pursuit, the objective.
+   guesses
+       The range, its random numbers, and the elite, which the results of each whole batch enter.
+   options
+       Of each ascent.
+   best
+       Value of the best plan so far; -inf: none.
+   iterate
+       (n,) turns and working set of the best plan. Overwritten by a plan that is clearly better.
+   workspace
+       With room for n evaders; modified in place.
+
+   Returns
+   -------
+   tuple of float, int, int, int
+       Value of the best plan; how its ascent ended, CONVERGED where no guess led above `best`;
+       steps; interceptions. */
+struct covey_multistart_words {
+    double *problem_evaders; int64_t problem_evaders_0, problem_evaders_1; /* (n, EVADER) of the living */
+    double problem_pursuit_center_x;
+    double problem_pursuit_center_y;
+    double problem_pursuit_first_radius;
+    double problem_pursuit_later_radius;
+    double problem_pursuit_speed;
+    int64_t problem_objective_total; /* the sum of all capture times; else the last capture */
+    int64_t problem_objective_expected; /* the mean over the drawn sequences; else the minimum over all sequences */
+    int64_t *problem_objective_draws_used; int64_t problem_objective_draws_used_0; /* (1,) how many rows are in use */
+    int64_t *problem_objective_draws_sequences; int64_t problem_objective_draws_sequences_0, problem_objective_draws_sequences_1; /* (K, n) */
+    double *problem_objective_draws_probabilities; int64_t problem_objective_draws_probabilities_0; /* (K,) */
+    double *guesses_uniforms; int64_t guesses_uniforms_0, guesses_uniforms_1; /* (CANDIDATES * (guesses - 1), n) random numbers in [-1, 1] */
+    double *guesses_elite_values; int64_t guesses_elite_values_0; /* (ELITE,) -inf where there is none */
+    double *guesses_elite_turns; int64_t guesses_elite_turns_0, guesses_elite_turns_1; /* (ELITE, n) */
+    int64_t guesses_first; /* number of the first guess */
+    int64_t guesses_size; /* how many guesses */
+    double options_radius; /* of the first trust region: the largest first change of a turn, radians */
+    double options_tolerance; /* a predicted gain below this, relative to the value, ends the ascent */
+    int64_t options_max_steps;
+    double best;
+    double *iterate_turns; int64_t iterate_turns_0; /* (n,) signed turns, radians in [-π, π] */
+    int64_t *iterate_working_set_used; int64_t iterate_working_set_used_0; /* (1,) how many rows are in use */
+    int64_t *iterate_working_set_sequences; int64_t iterate_working_set_sequences_0, iterate_working_set_sequences_1; /* (m, n) */
+    double *iterate_working_set_weights; int64_t iterate_working_set_weights_0; /* (m,) multipliers of the last step, >= 0: the shares in the Hessian */
+    double *iterate_working_set_values; int64_t iterate_working_set_values_0; /* (m,) objective of each sequence where the last ascent ended */
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+};
+struct covey_multistart_results {
+    double value_0;
+    int64_t value_1;
+    int64_t value_2;
+    int64_t value_3;
+};
+int64_t covey_multistart(const struct covey_multistart_words *words, struct covey_multistart_results *results);
+
+/* Write when evader i, on each of its paths, is captured `latest`, and by which predecessor.
+
+   The pursuer comes from evader `previous`, captured at `earlier` on each of that evader's paths.
+
+   Parameters
+   ----------
+   paths
+       (N * nodes, PATH), see `Grid`.
+   pursuit
+       The pursuer.
+   previous, i
+       Numbers of two evaders that are captured one after the other.
+   earlier
+       (nodes,) capture times of `previous`, by its path.
+   latest
+       (nodes,) capture times of i, by its path; modified in place.
+   predecessor
+       (nodes,) the path of `previous` that delays i most; modified in place. */
+struct covey_next_captures_words {
+    double *paths; int64_t paths_0, paths_1;
+    double pursuit_center_x;
+    double pursuit_center_y;
+    double pursuit_first_radius;
+    double pursuit_later_radius;
+    double pursuit_speed;
+    int64_t previous;
+    int64_t i;
+    double *earlier; int64_t earlier_0;
+    double *latest; int64_t latest_0;
+    int64_t *predecessor; int64_t predecessor_0;
+};
+int64_t covey_next_captures(const struct covey_next_captures_words *words, void *results);
+
+/* Write what is seen from (x, y): a row for each evader, then the disk that the team knows of.
+
+   `seen` (ROW * N + DISK,) is modified in place.
+
+   Evader number `first` comes first, the others by number; a captured one is a row of zeros. */
+struct covey_observe_words {
+    int64_t *state_alive; int64_t state_alive_0; /* (1,) */
+    int64_t *state_ids; int64_t state_ids_0; /* (N,) numbers of the living */
+    double *state_evaders; int64_t state_evaders_0, state_evaders_1; /* (N, EVADER) */
+    double *state_turns; int64_t state_turns_0; /* (N,) announced, still to be flown */
+    double *state_paths; int64_t state_paths_0, state_paths_1; /* (N, PATH) of what is announced, from now on */
+    double *state_disk; int64_t state_disk_0; /* (3,) centre and radius of the disk that the team knows the pursuer in */
+    double *state_time; int64_t state_time_0; /* (1,) */
+    double *state_capture_pose; int64_t state_capture_pose_0, state_capture_pose_1; /* (N, 3) position and heading at the capture, by number */
+    double *state_pursuer; int64_t state_pursuer_0; /* (3,) its position and 0; the whole disk where it has no position */
+    double x;
+    double y;
+    int64_t first;
+    float *seen; int64_t seen_0;
+};
+int64_t covey_observe(const struct covey_observe_words *words, void *results);
+
+/* Write what each pursuer sees or, `together`, what each team sees from its disk's centre.
+
+   `seen` (B, ROW * N + DISK) is modified in place; a row is as `observe` writes it. */
+struct covey_observe_games_words {
+    int64_t *states_alive; int64_t states_alive_0; /* (1,) */
+    int64_t *states_ids; int64_t states_ids_0; /* (N,) numbers of the living */
+    double *states_evaders; int64_t states_evaders_0, states_evaders_1; /* (N, EVADER) */
+    double *states_turns; int64_t states_turns_0; /* (N,) announced, still to be flown */
+    double *states_paths; int64_t states_paths_0, states_paths_1; /* (N, PATH) of what is announced, from now on */
+    double *states_disk; int64_t states_disk_0; /* (3,) centre and radius of the disk that the team knows the pursuer in */
+    double *states_time; int64_t states_time_0; /* (1,) */
+    double *states_capture_pose; int64_t states_capture_pose_0, states_capture_pose_1; /* (N, 3) position and heading at the capture, by number */
+    double *states_pursuer; int64_t states_pursuer_0; /* (3,) its position and 0; the whole disk where it has no position */
+    int64_t together;
+    float *seen; int64_t seen_0, seen_1;
+};
+int64_t covey_observe_games(const struct covey_observe_games_words *words, void *results);
+
+/* Play a game until it is over, or until its log is full.
+
+   1. Announce the team's plan; the pursuer chooses its sequence, or keeps it.
+   2. Write a row, if the course is logged.
+   3. Fly until the next update or capture, and log a capture.
+   4. Let the team replan, where that is due.
+
+   Parameters
+   ----------
+   state
+       Of the game; `state.turns` holds the plan that is flown. Modified in place.
+   rules
+       Of the game.
+   team, memory
+       How the team replans, and what it remembers; the memory is modified in place.
+   commitment
+       The pursuer's sequence, modified in place. `is_chosen` must be true where a game goes on.
+   log
+       Modified in place. A log without rows keeps the captures only.
+   workspace
+       With room for all evaders; modified in place.
+
+   Returns
+   -------
+   bool
+       Whether the game is over. If not, call again with a log that was grown. */
+struct covey_play_words {
+    int64_t *state_alive; int64_t state_alive_0; /* (1,) */
+    int64_t *state_ids; int64_t state_ids_0; /* (N,) numbers of the living */
+    double *state_evaders; int64_t state_evaders_0, state_evaders_1; /* (N, EVADER) */
+    double *state_turns; int64_t state_turns_0; /* (N,) announced, still to be flown */
+    double *state_paths; int64_t state_paths_0, state_paths_1; /* (N, PATH) of what is announced, from now on */
+    double *state_disk; int64_t state_disk_0; /* (3,) centre and radius of the disk that the team knows the pursuer in */
+    double *state_time; int64_t state_time_0; /* (1,) */
+    double *state_capture_pose; int64_t state_capture_pose_0, state_capture_pose_1; /* (N, 3) position and heading at the capture, by number */
+    double *state_pursuer; int64_t state_pursuer_0; /* (3,) its position and 0; the whole disk where it has no position */
+    double rules_pursuer_speed;
+    double rules_reach; /* ρ */
+    int64_t rules_hidden;
+    double rules_update_time;
+    double rules_time_limit;
+    int64_t rules_has_position; /* the pursuer is placed at the start, even where it is hidden */
+    int64_t team_replans; /* iterative open loop, or open loop */
+    double team_interval; /* least time between two plans, unless there is a capture */
+    int64_t team_restarts; /* initial guesses other than the last plan, after a capture */
+    double team_tolerance;
+    int64_t team_max_steps;
+    int64_t *memory_working_set_used; int64_t memory_working_set_used_0; /* (1,) how many rows are in use */
+    int64_t *memory_working_set_sequences; int64_t memory_working_set_sequences_0, memory_working_set_sequences_1; /* (m, n) */
+    double *memory_working_set_weights; int64_t memory_working_set_weights_0; /* (m,) multipliers of the last step, >= 0: the shares in the Hessian */
+    double *memory_working_set_values; int64_t memory_working_set_values_0; /* (m,) objective of each sequence where the last ascent ended */
+    double *memory_uniforms; int64_t memory_uniforms_0, memory_uniforms_1; /* of the initial guesses */
+    double *memory_last; int64_t memory_last_0; /* (2,) time and value of the last plan; value -inf: unknown */
+    int64_t memory_objective_total; /* the sum of all capture times; else the last capture */
+    int64_t memory_objective_expected; /* the mean over the drawn sequences; else the minimum over all sequences */
+    int64_t *memory_objective_draws_used; int64_t memory_objective_draws_used_0; /* (1,) how many rows are in use */
+    int64_t *memory_objective_draws_sequences; int64_t memory_objective_draws_sequences_0, memory_objective_draws_sequences_1; /* (K, n) */
+    double *memory_objective_draws_probabilities; int64_t memory_objective_draws_probabilities_0; /* (K,) */
+    double commitment_margin; /* relative gain for which it changes the sequence; inf: never */
+    int64_t *commitment_sequence; int64_t commitment_sequence_0; /* (N,) rows of the living; modified in place */
+    int64_t commitment_is_chosen; /* False: it begins with the best sequence, and `sequence` holds nothing */
+    int64_t *log_counters; int64_t log_counters_0; /* (3,) captures, rows, updates */
+    int64_t *log_order; int64_t log_order_0; /* (N,) captured evaders */
+    double *log_capture_times; int64_t log_capture_times_0; /* (N,) */
+    double *log_times; int64_t log_times_0; /* (T,) */
+    double *log_guarantees; int64_t log_guarantees_0; /* (T,) */
+    double *log_evaders; int64_t log_evaders_0, log_evaders_1, log_evaders_2; /* (T, N, 4) x, y, heading, turn still planned */
+    double *log_pursuers; int64_t log_pursuers_0, log_pursuers_1; /* (T, 5) position, then the disk's centre and radius */
+    int64_t *log_critical; int64_t log_critical_0, log_critical_1; /* (T, N) */
+    int64_t *log_intended; int64_t log_intended_0, log_intended_1; /* (T, N) */
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+};
+struct covey_play_results {
+    int64_t value_0;
+};
+int64_t covey_play(const struct covey_play_words *words, struct covey_play_results *results);
+
+/* Play on until the evader in row `target` is captured, and let the team replan.
+
+   Parameters
+   ----------
+   state
+       Of the game; modified in place.
+   rules
+       Of the game.
+   team, memory
+       How the team replans, and its memory, which is modified in place.
+   target
+       Row of a living evader.
+   delay
+       The capture waits for the first update that comes at least this time after the first update
+       at which the disk contains the evader; 0: the capture comes as soon as it can.
+   workspace
+       With room for all evaders; modified in place.
+
+   Returns
+   -------
+   bool
+       False if that takes too many updates. */
+struct covey_play_to_capture_words {
+    int64_t *state_alive; int64_t state_alive_0; /* (1,) */
+    int64_t *state_ids; int64_t state_ids_0; /* (N,) numbers of the living */
+    double *state_evaders; int64_t state_evaders_0, state_evaders_1; /* (N, EVADER) */
+    double *state_turns; int64_t state_turns_0; /* (N,) announced, still to be flown */
+    double *state_paths; int64_t state_paths_0, state_paths_1; /* (N, PATH) of what is announced, from now on */
+    double *state_disk; int64_t state_disk_0; /* (3,) centre and radius of the disk that the team knows the pursuer in */
+    double *state_time; int64_t state_time_0; /* (1,) */
+    double *state_capture_pose; int64_t state_capture_pose_0, state_capture_pose_1; /* (N, 3) position and heading at the capture, by number */
+    double *state_pursuer; int64_t state_pursuer_0; /* (3,) its position and 0; the whole disk where it has no position */
+    double rules_pursuer_speed;
+    double rules_reach; /* ρ */
+    int64_t rules_hidden;
+    double rules_update_time;
+    double rules_time_limit;
+    int64_t rules_has_position; /* the pursuer is placed at the start, even where it is hidden */
+    int64_t team_replans; /* iterative open loop, or open loop */
+    double team_interval; /* least time between two plans, unless there is a capture */
+    int64_t team_restarts; /* initial guesses other than the last plan, after a capture */
+    double team_tolerance;
+    int64_t team_max_steps;
+    int64_t *memory_working_set_used; int64_t memory_working_set_used_0; /* (1,) how many rows are in use */
+    int64_t *memory_working_set_sequences; int64_t memory_working_set_sequences_0, memory_working_set_sequences_1; /* (m, n) */
+    double *memory_working_set_weights; int64_t memory_working_set_weights_0; /* (m,) multipliers of the last step, >= 0: the shares in the Hessian */
+    double *memory_working_set_values; int64_t memory_working_set_values_0; /* (m,) objective of each sequence where the last ascent ended */
+    double *memory_uniforms; int64_t memory_uniforms_0, memory_uniforms_1; /* of the initial guesses */
+    double *memory_last; int64_t memory_last_0; /* (2,) time and value of the last plan; value -inf: unknown */
+    int64_t memory_objective_total; /* the sum of all capture times; else the last capture */
+    int64_t memory_objective_expected; /* the mean over the drawn sequences; else the minimum over all sequences */
+    int64_t *memory_objective_draws_used; int64_t memory_objective_draws_used_0; /* (1,) how many rows are in use */
+    int64_t *memory_objective_draws_sequences; int64_t memory_objective_draws_sequences_0, memory_objective_draws_sequences_1; /* (K, n) */
+    double *memory_objective_draws_probabilities; int64_t memory_objective_draws_probabilities_0; /* (K,) */
+    int64_t target;
+    double delay;
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+};
+struct covey_play_to_capture_results {
+    int64_t value_0;
+};
+int64_t covey_play_to_capture(const struct covey_play_to_capture_words *words, struct covey_play_to_capture_results *results);
+
+/* Improve an iterate, from its own turns and from other initial guesses.
+
+   Parameters
+   ----------
+   problem
+       The living evaders (n), the pursuit, the objective.
+   uniforms, restarts
+       Random numbers of the other initial guesses, see `Guesses`, and how many guesses there are.
+   options
+       Of the ascent from the iterate. The other ascents differ in their first radius.
+   lower_bound
+       Of the value of the given turns, see `solve_sqp`; -inf: unknown.
+   iterate
+       (n,) turns and working set; modified in place.
+   workspace
+       With room for n evaders; modified in place.
+
+   Returns
+   -------
+   tuple of float, int, int, int
+       The exact value, which is never below that of the given turns; how the last ascents ended;
+       steps; interceptions. */
+struct covey_refine_words {
+    double *problem_evaders; int64_t problem_evaders_0, problem_evaders_1; /* (n, EVADER) of the living */
+    double problem_pursuit_center_x;
+    double problem_pursuit_center_y;
+    double problem_pursuit_first_radius;
+    double problem_pursuit_later_radius;
+    double problem_pursuit_speed;
+    int64_t problem_objective_total; /* the sum of all capture times; else the last capture */
+    int64_t problem_objective_expected; /* the mean over the drawn sequences; else the minimum over all sequences */
+    int64_t *problem_objective_draws_used; int64_t problem_objective_draws_used_0; /* (1,) how many rows are in use */
+    int64_t *problem_objective_draws_sequences; int64_t problem_objective_draws_sequences_0, problem_objective_draws_sequences_1; /* (K, n) */
+    double *problem_objective_draws_probabilities; int64_t problem_objective_draws_probabilities_0; /* (K,) */
+    double *uniforms; int64_t uniforms_0, uniforms_1;
+    int64_t restarts;
+    double options_radius; /* of the first trust region: the largest first change of a turn, radians */
+    double options_tolerance; /* a predicted gain below this, relative to the value, ends the ascent */
+    int64_t options_max_steps;
+    double lower_bound;
+    double *iterate_turns; int64_t iterate_turns_0; /* (n,) signed turns, radians in [-π, π] */
+    int64_t *iterate_working_set_used; int64_t iterate_working_set_used_0; /* (1,) how many rows are in use */
+    int64_t *iterate_working_set_sequences; int64_t iterate_working_set_sequences_0, iterate_working_set_sequences_1; /* (m, n) */
+    double *iterate_working_set_weights; int64_t iterate_working_set_weights_0; /* (m,) multipliers of the last step, >= 0: the shares in the Hessian */
+    double *iterate_working_set_values; int64_t iterate_working_set_values_0; /* (m,) objective of each sequence where the last ascent ended */
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+};
+struct covey_refine_results {
+    double value_0;
+    int64_t value_1;
+    int64_t value_2;
+    int64_t value_3;
+};
+int64_t covey_refine(const struct covey_refine_words *words, struct covey_refine_results *results);
+
+/* Improve the turns (n,) that are flown, from them and from other initial guesses.
+
+   The value of the given turns is at least the last plan's value less what was `spent` since,
+   whatever a pursuer did that keeps to the rules.
+
+   Parameters
+   ----------
+   problem
+       The living evaders (n), the pursuit, the objective.
+   options
+       How the team plans.
+   memory
+       Working set and `last[1]`, the value, are modified in place.
+   spent
+       By how much the value of the last plan has fallen since.
+   restarts
+       How many initial guesses are improved too.
+   turns
+       (n,) still to be flown, radians; modified in place.
+   workspace
+       With room for n evaders; modified in place. */
+struct covey_replan_words {
+    double *problem_evaders; int64_t problem_evaders_0, problem_evaders_1; /* (n, EVADER) of the living */
+    double problem_pursuit_center_x;
+    double problem_pursuit_center_y;
+    double problem_pursuit_first_radius;
+    double problem_pursuit_later_radius;
+    double problem_pursuit_speed;
+    int64_t problem_objective_total; /* the sum of all capture times; else the last capture */
+    int64_t problem_objective_expected; /* the mean over the drawn sequences; else the minimum over all sequences */
+    int64_t *problem_objective_draws_used; int64_t problem_objective_draws_used_0; /* (1,) how many rows are in use */
+    int64_t *problem_objective_draws_sequences; int64_t problem_objective_draws_sequences_0, problem_objective_draws_sequences_1; /* (K, n) */
+    double *problem_objective_draws_probabilities; int64_t problem_objective_draws_probabilities_0; /* (K,) */
+    int64_t options_replans; /* iterative open loop, or open loop */
+    double options_interval; /* least time between two plans, unless there is a capture */
+    int64_t options_restarts; /* initial guesses other than the last plan, after a capture */
+    double options_tolerance;
+    int64_t options_max_steps;
+    int64_t *memory_working_set_used; int64_t memory_working_set_used_0; /* (1,) how many rows are in use */
+    int64_t *memory_working_set_sequences; int64_t memory_working_set_sequences_0, memory_working_set_sequences_1; /* (m, n) */
+    double *memory_working_set_weights; int64_t memory_working_set_weights_0; /* (m,) multipliers of the last step, >= 0: the shares in the Hessian */
+    double *memory_working_set_values; int64_t memory_working_set_values_0; /* (m,) objective of each sequence where the last ascent ended */
+    double *memory_uniforms; int64_t memory_uniforms_0, memory_uniforms_1; /* of the initial guesses */
+    double *memory_last; int64_t memory_last_0; /* (2,) time and value of the last plan; value -inf: unknown */
+    int64_t memory_objective_total; /* the sum of all capture times; else the last capture */
+    int64_t memory_objective_expected; /* the mean over the drawn sequences; else the minimum over all sequences */
+    int64_t *memory_objective_draws_used; int64_t memory_objective_draws_used_0; /* (1,) how many rows are in use */
+    int64_t *memory_objective_draws_sequences; int64_t memory_objective_draws_sequences_0, memory_objective_draws_sequences_1; /* (K, n) */
+    double *memory_objective_draws_probabilities; int64_t memory_objective_draws_probabilities_0; /* (K,) */
+    double spent;
+    int64_t restarts;
+    double *turns; int64_t turns_0;
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+};
+int64_t covey_replan(const struct covey_replan_words *words, void *results);
+
+/* Write the position of every evader at each of the `times`, to (times, evaders, 2). */
+struct covey_sample_words {
+    double *paths; int64_t paths_0, paths_1;
+    double *times; int64_t times_0;
+    double *positions; int64_t positions_0, positions_1, positions_2;
+};
+int64_t covey_sample(const struct covey_sample_words *words, void *results);
+
+/* Write, for each evader, the path that turns by a signed angle and then flies straight.
+
+   An evader that can't turn (rate 0) flies straight, whatever its turn is. An infinite rate turns
+   at once.
+
+   Parameters
+   ----------
+   evaders
+       (n, EVADER) rows of position, heading, speed and turn rate.
+   turns
+       (n,) signed turns, radians.
+   pursuer_speed
+       v_p.
+   paths
+       (n, PATH) modified in place. */
+struct covey_set_paths_words {
+    double *evaders; int64_t evaders_0, evaders_1;
+    double *turns; int64_t turns_0;
+    double pursuer_speed;
+    double *paths; int64_t paths_0, paths_1;
+};
+int64_t covey_set_paths(const struct covey_set_paths_words *words, void *results);
+
+/* Write the value of announcing the better order, (balances, openings). */
+struct covey_set_upper_bound_words {
+    double *grid_balances; int64_t grid_balances_0;
+    double *grid_balance_steps; int64_t grid_balance_steps_0;
+    double *grid_openings; int64_t grid_openings_0;
+    double *grid_opening_steps; int64_t grid_opening_steps_0;
+    double v1;
+    double v2;
+    double *upper_bound; int64_t upper_bound_0, upper_bound_1;
+};
+int64_t covey_set_upper_bound(const struct covey_set_upper_bound_words *words, void *results);
+
+/* Write the value of announcing the better order for rows (a, b, opening). */
+struct covey_set_upper_bounds_words {
+    double *situations; int64_t situations_0, situations_1;
+    double v1;
+    double v2;
+    double *upper_bounds; int64_t upper_bounds_0;
+};
+int64_t covey_set_upper_bounds(const struct covey_set_upper_bounds_words *words, void *results);
+
+/* Sweep the values (balances, openings) in four directions; return the largest change. */
+struct covey_sweep_words {
+    double *values; int64_t values_0, values_1;
+    double *upper_bound; int64_t upper_bound_0, upper_bound_1;
+    double *grid_balances; int64_t grid_balances_0;
+    double *grid_balance_steps; int64_t grid_balance_steps_0;
+    double *grid_openings; int64_t grid_openings_0;
+    double *grid_opening_steps; int64_t grid_opening_steps_0;
+    double v1;
+    double v2;
+};
+struct covey_sweep_results {
+    double value_0;
+};
+int64_t covey_sweep(const struct covey_sweep_words *words, struct covey_sweep_results *results);
+
+/* Write the state, the plan that is announced and its guarantee to the log's next row.
+
+   `intended` holds rows of the living: the order that the pursuer has in mind, as far as it is
+   known. Captured evaders stay where they were captured. */
+struct covey_write_row_words {
+    int64_t *log_counters; int64_t log_counters_0; /* (3,) captures, rows, updates */
+    int64_t *log_order; int64_t log_order_0; /* (N,) captured evaders */
+    double *log_capture_times; int64_t log_capture_times_0; /* (N,) */
+    double *log_times; int64_t log_times_0; /* (T,) */
+    double *log_guarantees; int64_t log_guarantees_0; /* (T,) */
+    double *log_evaders; int64_t log_evaders_0, log_evaders_1, log_evaders_2; /* (T, N, 4) x, y, heading, turn still planned */
+    double *log_pursuers; int64_t log_pursuers_0, log_pursuers_1; /* (T, 5) position, then the disk's centre and radius */
+    int64_t *log_critical; int64_t log_critical_0, log_critical_1; /* (T, N) */
+    int64_t *log_intended; int64_t log_intended_0, log_intended_1; /* (T, N) */
+    int64_t *state_alive; int64_t state_alive_0; /* (1,) */
+    int64_t *state_ids; int64_t state_ids_0; /* (N,) numbers of the living */
+    double *state_evaders; int64_t state_evaders_0, state_evaders_1; /* (N, EVADER) */
+    double *state_turns; int64_t state_turns_0; /* (N,) announced, still to be flown */
+    double *state_paths; int64_t state_paths_0, state_paths_1; /* (N, PATH) of what is announced, from now on */
+    double *state_disk; int64_t state_disk_0; /* (3,) centre and radius of the disk that the team knows the pursuer in */
+    double *state_time; int64_t state_time_0; /* (1,) */
+    double *state_capture_pose; int64_t state_capture_pose_0, state_capture_pose_1; /* (N, 3) position and heading at the capture, by number */
+    double *state_pursuer; int64_t state_pursuer_0; /* (3,) its position and 0; the whole disk where it has no position */
+    double rules_pursuer_speed;
+    double rules_reach; /* ρ */
+    int64_t rules_hidden;
+    double rules_update_time;
+    double rules_time_limit;
+    int64_t rules_has_position; /* the pursuer is placed at the start, even where it is hidden */
+    int64_t *intended; int64_t intended_0;
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+};
+int64_t covey_write_row(const struct covey_write_row_words *words, void *results);
+

@@ -1,0 +1,71 @@
+"""Compiled kernels come from the cache, and are built once where the cache has none."""
+
+from __future__ import annotations
+
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+
+from covey.kernels.library import build
+from covey.kernels.library.cache import host_processor, object_file, write_objects
+
+OBJECTS = [b"first", b"second"]
+
+
+@pytest.fixture
+def builds(tmp_path, monkeypatch):
+    """The files that a builder in place of the compiler was asked for; the cache is empty."""
+    monkeypatch.setenv("COVEY_CACHE_DIR", str(tmp_path / "cache"))
+    asked = []
+
+    def quick(file):
+        asked.append(file)
+        time.sleep(0.3)
+        write_objects(file, OBJECTS)
+        return OBJECTS
+
+    monkeypatch.setattr(build, "_build", quick)
+    return asked
+
+
+def test_kernels_are_built_once(builds):
+    assert build.built_objects() == build.built_objects() == [b"first", b"second"]
+    assert builds == [object_file(host_processor())]
+
+
+def test_two_that_begin_at_once_build_once(builds, capsys):
+    with ThreadPoolExecutor(4) as executor:
+        found = list(executor.map(lambda _: build.built_objects(), range(4)))
+    assert found == [[b"first", b"second"]] * 4
+    assert len(builds) == 1
+    assert "another process is compiling the kernels" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("damaged", [b"", b"PK", b"no archive at all"])
+def test_a_damaged_file_is_built_again(builds, damaged):
+    build.built_objects()
+    object_file(host_processor()).write_bytes(damaged)
+    assert build.built_objects() == [b"first", b"second"]
+    assert len(builds) == 2
+
+
+def test_a_folder_that_cannot_be_written_is_said_and_the_kernels_are_used(
+    builds, tmp_path, monkeypatch, capsys
+):
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("COVEY_CACHE_DIR", str(tmp_path / "file" / "below"))
+    assert build.built_objects() == [b"first", b"second"]
+    said = capsys.readouterr().err
+    assert said.count(str(tmp_path / "file" / "below")) == 1
+    assert "COVEY_CACHE_DIR" in said
+    assert not builds[0].exists()
+
+
+def test_a_builder_that_fails_is_reported(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("COVEY_CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(build, "_BUILDER", [sys.executable, "-c", "raise SystemExit('no memory')"])
+    with pytest.raises(RuntimeError, match=r"could not be compiled:\s*no memory"):
+        build.built_objects()
+    assert str(tmp_path) in capsys.readouterr().err
