@@ -14,7 +14,7 @@ from covey.kernels.maximum.fixed_sequence import latest_in_sequence, new_grids
 from covey.model import PursuerDisk, Team
 from covey.model.angles import wrap_angle
 from covey.model.validation import Floats, Ints, permutation, read_only
-from covey.planning.guarantee import capture_times, pursuit_of
+from covey.planning.guarantee import capture_times, check_players, pursuit_of
 
 _TURN_TOLERANCE = 1e-9
 """Radians. At a maximum an error of the turns changes the last capture by its square."""
@@ -101,7 +101,7 @@ def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) ->
     .. [2] A. Belousov, Y. Berdyshev, A. Chentsov, A. Chikrii, "Solving the dynamic traveling
        salesman game problem", Cybernetics and Systems Analysis 46 (2010).
     """
-    disk.require_faster_than(team)
+    check_players(team, disk)
     order = permutation("sequence", sequence, len(team))
     found, converged = _best_turns(team, pursuit_of(disk), order)
     turns = np.where(np.isinf(team.turn_rates), wrap_angle(found), found)

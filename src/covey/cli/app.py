@@ -94,8 +94,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if not isinstance(error, covey.InputError):
             raise
         return _failed(str(error))
-    except KeyboardInterrupt:
-        print("covey: stopped", file=sys.stderr)
+    except KeyboardInterrupt as error:
+        print(": ".join(["covey: stopped", *map(str, error.args)]), file=sys.stderr)
         return INTERRUPTED
     return 0
 

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.model.team import Team
-from covey.model.validation import Floats, frozen_array
+from covey.model.validation import Floats, frozen_array, require_kind
 
 
 def wrap_angle(angle: npt.ArrayLike) -> Floats:
@@ -52,5 +52,6 @@ def turns_to(team: Team, goal_headings: npt.ArrayLike) -> Floats:
     InputError
         If the headings are not N finite numbers.
     """
+    require_kind("team", team, Team)
     goals = frozen_array("goal_headings", goal_headings, (len(team),))
     return wrap_angle(goals - team.headings)

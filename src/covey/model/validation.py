@@ -15,12 +15,24 @@ Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 
 
+_MOST_SHOWN = 80
 LARGEST = 1e100
 """Largest length, speed or rate: its square must be finite."""
 
 
 class InputError(ValueError):
     """An argument that can't be used; the message says what was expected and what was given."""
+
+
+def require_kind(name: str, value: object, kind: type) -> None:
+    """Raise InputError unless a value is of a kind."""
+    if not isinstance(value, kind):
+        raise InputError(f"{name}: expected a {kind.__name__}, got {_shown(value)}")
+
+
+def _shown(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= _MOST_SHOWN else f"{text[:_MOST_SHOWN]}…"
 
 
 def read_only(array: Floats) -> Floats:

@@ -23,7 +23,7 @@ from covey.model import (
     Team,
     TotalSurvival,
 )
-from covey.model.validation import Floats, checked_array, permutation
+from covey.model.validation import Floats, checked_array, permutation, require_kind
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.workspace import workspace
 
@@ -60,9 +60,16 @@ def paths_of(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> Floats:
     return paths
 
 
-def check_game(team: Team, disk: PursuerDisk) -> None:
-    """Raise InputError if an evader is as fast as the pursuer, or the team is too large."""
+def check_players(team: Team, disk: PursuerDisk) -> None:
+    """Raise InputError unless these are a team and a disk, and every evader is slower."""
+    require_kind("team", team, Team)
+    require_kind("disk", disk, PursuerDisk)
     disk.require_faster_than(team)
+
+
+def check_game(team: Team, disk: PursuerDisk) -> None:
+    """Raise InputError as `check_players` does, or if the team is too large."""
+    check_players(team, disk)
     if len(team) > MOST_EVADERS:
         raise InputError(
             f"team: expected at most {MOST_EVADERS} evaders, got {len(team)}; the exact minimum "
@@ -115,7 +122,7 @@ def capture_times(
     ----------
     Algorithm 1 of the paper.
     """
-    disk.require_faster_than(team)
+    check_players(team, disk)
     order = permutation("sequence", sequence, len(team))
     times = np.empty(len(team))
     sequence_times(paths_of(team, disk, turns), pursuit_of(disk), order, times)
@@ -197,7 +204,7 @@ def expected_survival(
     InputError
         If an argument can't be used.
     """
-    disk.require_faster_than(team)
+    check_players(team, disk)
     if not isinstance(objective, ExpectedSurvival):
         raise InputError(f"objective: expected ExpectedSurvival(...), got {objective!r}")
     checked = checked_array("turns", turns, (len(team),))

@@ -20,6 +20,7 @@ from rich.table import Table
 from covey import studies
 from covey.cli.shared.outputs import print_saved
 from covey.cli.show.comparison import print_comparison
+from covey.kernels.library.load import load_library
 
 _HEADINGS = {"team_size": "team", "turn_rate": "turn rate", "update_time": "update time"}
 
@@ -37,6 +38,8 @@ def run_with_progress(
         TextColumn("left"),
         TimeRemainingColumn(),
     )
+    if dask is None:
+        load_library()  # shows a bar of its own while it compiles
     console = Console(stderr=True)
     with Progress(
         *columns, console=console, transient=True, disable=not console.is_terminal
@@ -48,7 +51,12 @@ def run_with_progress(
             bar.update(task, completed=done, total=total)
             bar.start_task(task)
 
-        return studies.run_study(study, folder, workers=workers, dask=dask, progress=progress)
+        try:
+            return studies.run_study(study, folder, workers=workers, dask=dask, progress=progress)
+        except KeyboardInterrupt:
+            raise KeyboardInterrupt(
+                f"{folder} keeps the games that were finished, and the same command goes on there"
+            ) from None
 
 
 def print_study(result: studies.StudyResult) -> None:

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from concurrent import futures
 from concurrent.futures import BrokenExecutor, Future
 from contextlib import contextmanager
 from typing import Any
 
+from covey.kernels.library.load import load_library
 from covey.model import InputError
 from covey.model.validation import whole_number
-from covey.studies.running.games import load_kernels
+from covey.studies.running.worker import depend_on_parent
 
 _IDLE_SECONDS = 120
 """After so long without work a process of the pool ends. A study that is run before that finds
@@ -64,7 +66,7 @@ class ProcessPool(Executor):
 
     def __init__(self, size: int) -> None:
         self._size = size
-        load_kernels()  # compiles them once; otherwise every process would
+        load_library()  # is built here if need be, with a bar; the processes would wait in silence
         self.restart()
 
     @property
@@ -76,7 +78,12 @@ class ProcessPool(Executor):
         """Start a new pool if the present one is broken."""
         from loky import get_reusable_executor
 
-        self._pool = get_reusable_executor(max_workers=self._size, timeout=_IDLE_SECONDS)
+        self._pool = get_reusable_executor(
+            max_workers=self._size,
+            timeout=_IDLE_SECONDS,
+            initializer=depend_on_parent,
+            initargs=(os.getpid(),),
+        )
 
     def cancel(self) -> None:
         """Kill the processes."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from covey.model import PursuerDisk, Team
 from covey.players import simulate, survival
 from covey.simulation import Game, Outcome
 from covey.studies.design.as_visible import AsVisible
@@ -34,11 +33,6 @@ class GameError(Exception):
     def __str__(self) -> str:
         """Return the line that is shown to the user."""
         return f"game {self.number} (seed {self.seed}): {self.message}"
-
-
-def load_kernels() -> None:
-    """Play a small game, which loads all kernels, and compiles them if they are not cached."""
-    survival(Team([[0.1, 0.0], [0.0, 0.1]], [0.0, 1.0]), PursuerDisk(), update_time=0.1)
 
 
 def play_start(study: Study, number: int) -> Iterator[StudyGame]:

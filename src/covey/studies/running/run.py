@@ -8,7 +8,6 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from covey.kernels.library.load import load_library
 from covey.studies.design.study import Study
 from covey.studies.design.study_file import read_study
 from covey.studies.running import result_files
@@ -74,7 +73,6 @@ def run_study(
     with locked(path):
         _write_or_check_manifest(path, chosen)
         result_files.remove_leftovers(path)
-        load_library()  # before the workers, which would all wait for it
         failures = _play_missing(chosen, path, workers, dask, progress)
     return StudyResult(path, load_study(path).manifest, tuple(map(str, failures)))
 

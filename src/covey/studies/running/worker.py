@@ -1,7 +1,10 @@
-"""The function that a worker runs, and the result that it sends back."""
+"""The function that a worker runs, the result that it sends back, and when a worker ends."""
 
 from __future__ import annotations
 
+import os
+import signal
+import threading
 import time
 from typing import NamedTuple
 
@@ -24,6 +27,24 @@ class ChunkResult(NamedTuple):
 
 class OtherCodeError(Exception):
     """A worker's version of covey differs from that of the process that runs the study."""
+
+
+_WATCH_SECONDS = 1.0
+
+
+def depend_on_parent(parent: int) -> None:
+    """Leave an interrupt to the parent of this process, and end when the parent has died.
+
+    An interrupt from a terminal reaches every process. The parent stops the workers itself.
+    """
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with, args=(parent,), daemon=True).start()
+
+
+def _end_with(parent: int) -> None:
+    while os.getppid() == parent:
+        time.sleep(_WATCH_SECONDS)
+    os._exit(1)
 
 
 def play_chunk(study: Study, chunk: Chunk, code: str) -> ChunkResult:

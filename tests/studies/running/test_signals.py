@@ -1,0 +1,82 @@
+"""A study whose process gets a signal: Ctrl-C, or kill -9."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from covey import studies
+
+pytestmark = pytest.mark.skipif(
+    not Path("/proc/self").exists(), reason="the processes are found in /proc"
+)
+
+
+@pytest.fixture
+def running(tmp_path):
+    """A study that is played by two workers, in a process group of its own, and its folder."""
+    text = studies.example_path("fig5").read_text(encoding="utf-8")
+    (tmp_path / "long.toml").write_text(text, encoding="utf-8")
+    folder = tmp_path / "result"
+    command = [sys.executable, "-m", "covey", "study", "long.toml", "-o", str(folder)]
+    with subprocess.Popen(
+        [*command, "--workers", "2"],
+        cwd=tmp_path,
+        stderr=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        encoding="utf-8",
+        start_new_session=True,
+    ) as process:
+        wait_for(lambda: any((folder / "games").glob("*.parquet")), 60.0)
+        yield process, folder
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
+
+
+def wait_for(holds, seconds):
+    """Wait until a condition holds."""
+    end = time.monotonic() + seconds
+    while not holds():
+        assert time.monotonic() < end, "waited in vain"
+        time.sleep(0.05)
+
+
+def group(leader):
+    """The processes of a group that live, by number."""
+    found = set()
+    for status in Path("/proc").glob("[0-9]*/stat"):
+        with contextlib.suppress(OSError):
+            state, _, number, *_ = status.read_text().rpartition(")")[2].split()
+            if int(number) == leader and state != "Z":
+                found.add(int(status.parent.name))
+    return found
+
+
+def test_an_interrupt_from_a_terminal_is_one_line_and_nothing_is_lost(running):
+    process, folder = running
+    os.killpg(process.pid, signal.SIGINT)
+    _, errors = process.communicate(timeout=20)
+    assert process.returncode == 130
+    assert errors.splitlines() == [
+        f"covey: stopped: {folder} keeps the games that were finished, "
+        "and the same command goes on there"
+    ]
+    kept = sorted((folder / "games").glob("*.parquet"))
+    assert kept
+    assert not studies.load_study(folder).is_complete
+    wait_for(lambda: not group(process.pid), 10.0)
+
+
+def test_workers_end_with_a_parent_that_was_killed(running):
+    process, _ = running
+    assert len(group(process.pid)) >= 3
+    process.kill()
+    process.wait()
+    wait_for(lambda: not group(process.pid), 10.0)
