@@ -11,6 +11,7 @@ from pathlib import Path
 from cyclopts import App, CycloptsError
 
 import covey
+from covey.kernels.library.errors import BuildError
 
 INPUT_ERROR = 2
 """Exit status after a mistake in a file or on the command line."""
@@ -93,6 +94,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except ValueError as error:
         if not isinstance(error, covey.InputError):
             raise
+        return _failed(str(error))
+    except BuildError as error:
         return _failed(str(error))
     except KeyboardInterrupt as error:
         print(": ".join(["covey: stopped", *map(str, error.args)]), file=sys.stderr)

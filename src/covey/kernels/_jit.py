@@ -48,7 +48,8 @@ def compiled(function: Function) -> Function:
     """Compile a kernel that other kernels call."""
     # Without the option a kernel would be inlined into each caller that itself is `inlined`.
     kernel = _by_numba(function, forceinline=False)
-    compiled_kernels.append(kernel)
+    if USES_NUMBA:
+        compiled_kernels.append(kernel)
     return kernel
 
 

@@ -9,21 +9,21 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 
 from covey.kernels.library import build
-from covey.kernels.library.cache import host_processor, object_file, write_objects
+from covey.kernels.library.cache import host_processor, object_file
+from covey.kernels.library.errors import BuildError
 
 OBJECTS = [b"first", b"second"]
 
 
 @pytest.fixture
 def builds(tmp_path, monkeypatch):
-    """The files that a builder in place of the compiler was asked for; the cache is empty."""
+    """The folders that a builder in place of the compiler was asked for; the cache is empty."""
     monkeypatch.setenv("COVEY_CACHE_DIR", str(tmp_path / "cache"))
     asked = []
 
-    def quick(file):
-        asked.append(file)
+    def quick(folder):
+        asked.append(folder)
         time.sleep(0.3)
-        write_objects(file, OBJECTS)
         return OBJECTS
 
     monkeypatch.setattr(build, "_build", quick)
@@ -32,7 +32,7 @@ def builds(tmp_path, monkeypatch):
 
 def test_kernels_are_built_once(builds):
     assert build.built_objects() == build.built_objects() == [b"first", b"second"]
-    assert builds == [object_file(host_processor())]
+    assert builds == [object_file(host_processor()).parent]
 
 
 def test_two_that_begin_at_once_build_once(builds, capsys):
@@ -60,12 +60,22 @@ def test_a_folder_that_cannot_be_written_is_said_and_the_kernels_are_used(
     said = capsys.readouterr().err
     assert said.count(str(tmp_path / "file" / "below")) == 1
     assert "COVEY_CACHE_DIR" in said
-    assert not builds[0].exists()
+    assert len(builds) == 1
+
+
+def test_a_full_disk_is_said_and_the_kernels_are_used(builds, monkeypatch, capsys):
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(build, "write_objects", full)
+    assert build.built_objects() == OBJECTS
+    assert "No space left on device" in capsys.readouterr().err
+    assert len(builds) == 1
 
 
 def test_a_builder_that_fails_is_reported(tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("COVEY_CACHE_DIR", str(tmp_path))
     monkeypatch.setattr(build, "_BUILDER", [sys.executable, "-c", "raise SystemExit('no memory')"])
-    with pytest.raises(RuntimeError, match=r"could not be compiled:\s*no memory"):
+    with pytest.raises(BuildError, match=r"could not be compiled:\s*no memory"):
         build.built_objects()
     assert str(tmp_path) in capsys.readouterr().err

@@ -97,5 +97,5 @@ def test_files_that_were_used_longest_ago_are_forgotten(tmp_path):
 
 def test_a_compiler_that_is_missing_is_named(monkeypatch):
     monkeypatch.setattr(cache.importlib.util, "find_spec", lambda _package: None)
-    with pytest.raises(ModuleNotFoundError, match="pip install numba llvmlite"):
+    with pytest.raises(cache.BuildError, match="pip install numba llvmlite"):
         cache.object_file(("any", ""))

@@ -149,18 +149,15 @@ def _flat(kernel: Callable[..., object]) -> Callable[..., None]:
     names: dict[str, Any] = {"array_at": get_cfarray_intrinsic("C", None), "kernel": kernel}
     names |= {f"pointer_to_{each}": _pointer_to(each) for each in {u.kind for u in used if u.ndim}}
     arguments = _Reader(used, names).arguments(parameters)
-    values = [f"value_{k}" for k in range(len(kinds))]
+    targets = [
+        f"{'float_results' if kind == 'float' else 'results'}[{k}]" for k, kind in enumerate(kinds)
+    ]
     source = [
         "def flat(words, floats, results, float_results):",
         f"    words, floats = array_at(words, ({size},)), array_at(floats, ({size},))",
-        f"    {''.join(f'{value}, ' for value in values)}{'= ' if values else ''}"
-        f"{'(' if len(values) == 1 else ''}kernel({', '.join(arguments)})"
-        f"{',)' if len(values) == 1 else ''}",
-        *(
-            f"    array_at({'float_' if kind == 'float' else ''}results, ({len(kinds)},))[{k}] = "
-            f"{value}"
-            for k, (value, kind) in enumerate(zip(values, kinds, strict=True))
-        ),
+        f"    results = array_at(results, ({len(kinds)},))",
+        f"    float_results = array_at(float_results, ({len(kinds)},))",
+        f"    {', '.join(targets)}{' = ' if targets else ''}kernel({', '.join(arguments)})",
     ]
     exec("\n".join(source), names)
     flat: Callable[..., None] = names["flat"]

@@ -16,27 +16,41 @@ from pathlib import Path
 
 from filelock import FileLock, Timeout
 
-from covey.kernels.library.cache import KERNELS, host_processor, object_file, read_objects
+from covey.kernels.library.cache import (
+    KERNELS,
+    host_processor,
+    object_file,
+    read_objects,
+    write_objects,
+)
+from covey.kernels.library.errors import BuildError
 from covey.kernels.library.progress import progress, say
 
 _BUILDER = [sys.executable, "-m", "covey.kernels.builder"]
 
 
 def built_objects() -> list[bytes]:
-    """Build the objects for this processor, and return them."""
-    file = object_file(host_processor())
+    """Build the objects for this processor, keep them if the cache can be written, return them.
+
+    Raises
+    ------
+    BuildError
+        If the builder fails.
+    """
+    file, objects = object_file(host_processor()), None
     try:
         file.parent.mkdir(parents=True, exist_ok=True)
-        with _one_at_a_time(file.with_suffix(".lock")):
-            # Another process may have built it while this process waited.
-            return read_objects(file) or _build(file)
+        with _one_at_a_time(file.with_name("kernels.lock")):
+            objects = read_objects(file)  # by another process, while this process waited
+            if objects is None:
+                objects = _build(file.parent)
+                write_objects(file, objects)
     except OSError as error:
         say(
             f"{file.parent}: {error.strerror}. The compiled kernels can't be kept there, so the "
             f"next process compiles again; set COVEY_CACHE_DIR to a folder that can be written"
         )
-        with tempfile.TemporaryDirectory() as folder:
-            return _build(Path(folder) / file.name)
+    return objects or _build(file.parent)
 
 
 @contextmanager
@@ -54,28 +68,27 @@ def _one_at_a_time(file: Path) -> Iterator[None]:
         lock.release()
 
 
-def _build(file: Path) -> list[bytes]:
+def _build(folder: Path) -> list[bytes]:
     """Run the builder, which prints its progress, a share in [0, 1] a line."""
     printed = []
-    with (
-        progress(file.parent) as advance,
-        subprocess.Popen(
+    with tempfile.TemporaryDirectory() as temporary, progress(folder) as advance:
+        file = Path(temporary) / "kernels.bin"
+        with subprocess.Popen(
             [*_BUILDER, str(file)],
             env=_environment(),
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             encoding="utf-8",
-        ) as process,
-    ):
-        try:
-            for line in process.stdout or ():
-                printed.append(line)
-                advance(line)
-        finally:
-            process.kill()
-    objects = read_objects(file)
+        ) as process:
+            try:
+                for line in process.stdout or ():
+                    printed.append(line)
+                    advance(line)
+            finally:
+                process.kill()
+        objects = read_objects(file)
     if objects is None:
-        raise RuntimeError(f"the kernels could not be compiled:\n{''.join(printed[-30:])}")
+        raise BuildError(f"the kernels could not be compiled:\n{''.join(printed[-30:])}")
     return objects
 
 

@@ -17,6 +17,8 @@ from pathlib import Path
 
 import platformdirs
 
+from covey.kernels.library.errors import BuildError
+
 KERNELS = Path(__file__).parent.parent
 
 _COMPILER = ("numba", "llvmlite")
@@ -61,7 +63,7 @@ def _version_file(package: str) -> Path:
     """Return the file that tells the version of a package; the package isn't imported."""
     found = importlib.util.find_spec(package)
     if found is None or found.origin is None:
-        raise ModuleNotFoundError(
+        raise BuildError(
             f"covey's kernels are still to be compiled, and {package} isn't installed: "
             f"pip install {' '.join(_COMPILER)}"
         )
