@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gc
+import tracemalloc
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -79,3 +81,40 @@ def test_a_policy_may_be_asked_from_any_thread():
     with ThreadPoolExecutor(8) as executor:
         for turns in executor.map(lambda policy: policy(situations[1]), policies):
             assert turns.tolist() == expected[1].tolist()
+
+
+def test_plans_from_eight_threads_are_those_of_one():
+    games = [random_game(np.random.default_rng(seed), 2 + seed % 6) for seed in range(24)]
+
+    def told(game):
+        plan = covey.plan(*game, starts=3)
+        return plan.turns.tolist(), plan.survival_time, plan.critical_sequences, plan.steps
+
+    with ThreadPoolExecutor(8) as executor:
+        assert list(executor.map(told, games)) == list(map(told, games))
+
+
+def test_calls_keep_no_memory():
+    game = random_game(np.random.default_rng(5), 5)
+    strategy = covey.IterativeOpenLoop(starts=1)
+
+    def use():
+        for _ in range(100):
+            covey.guaranteed_survival(*game, np.zeros(5))
+            covey.plan(*game, starts=1)
+        covey.simulate(*game, evaders=strategy, update_time=0.5)
+
+    def traced():
+        use()
+        gc.collect()
+        return tracemalloc.get_traced_memory()[0]
+
+    use()
+    tracemalloc.start()
+    try:
+        before = traced()
+        use()
+        after = traced()
+    finally:
+        tracemalloc.stop()
+    assert after - before < 10_000

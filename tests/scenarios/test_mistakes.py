@@ -297,5 +297,7 @@ def test_no_document_brings_the_checks_to_fall(document, tmp_path_factory):
         checked(document, path)
     except covey.InputError as error:
         first, *lines = str(error).split("\n  ")
-        assert first.startswith(f"{path}: {len(lines)} mistake")
-        assert len(set(lines)) == len(lines)
+        count = int(first.removeprefix(f"{path}: ").partition(" mistake")[0])
+        if count > 10:
+            assert lines.pop() == f"and {count - 10} more"
+        assert len(set(lines)) == len(lines) == min(count, 10)

@@ -17,6 +17,9 @@ from covey.scenarios.mistakes import Mistake, mistakes_of, require_none
 from covey.scenarios.scenario import Scenario
 from covey.scenarios.schema import ScenarioFile
 
+_LARGEST_FILE = 1_000_000  # bytes
+_MOST_LEVELS = 20
+
 
 def load_scenario(path: str | os.PathLike[str], *, seed: int | None = None) -> Scenario:
     """Load a scenario from its TOML file.
@@ -57,13 +60,40 @@ def load_scenario(path: str | os.PathLike[str], *, seed: int | None = None) -> S
 def read_document(path: Path, what: str) -> dict[str, Any]:
     """Read a TOML file, or raise InputError; `what` is what the file should have been."""
     try:
-        return tomllib.loads(path.read_bytes().decode("utf-8-sig"))
+        with path.open("rb") as file:
+            content = file.read(_LARGEST_FILE + 1)
     except OSError as error:
-        raise InputError(f"{path}: can't be read: {error.strerror}") from error
+        raise InputError(f"{path}: can't be read: {error.strerror or error}") from error
+    if len(content) > _LARGEST_FILE:
+        raise InputError(
+            f"{path}: expected {what} of at most {_LARGEST_FILE // 1_000_000} MB, got a larger file"
+        )
+    try:
+        document = tomllib.loads(content.decode("utf-8-sig"))
     except UnicodeDecodeError as error:
         raise InputError(f"{path}: expected {what} in TOML, got a binary file") from error
-    except tomllib.TOMLDecodeError as error:
+    except RecursionError as error:
+        raise _too_deep(path, what) from error
+    except ValueError as error:  # also from a number of thousands of digits
         raise InputError(f"{path}: expected {what} in TOML: {error}") from error
+    if not _is_shallow(document):
+        raise _too_deep(path, what)
+    return document
+
+
+def _is_shallow(document: Any) -> bool:
+    """Return whether tables and lists are nested at most `_MOST_LEVELS` deep."""
+    level = [document]
+    for _ in range(_MOST_LEVELS):
+        below = [each.values() if isinstance(each, dict) else each for each in level]
+        level = [part for parts in below for part in parts if isinstance(part, dict | list)]
+    return not level
+
+
+def _too_deep(path: Path, what: str) -> InputError:
+    return InputError(
+        f"{path}: expected {what}, got tables or lists more than {_MOST_LEVELS} levels deep"
+    )
 
 
 def checked(document: dict[str, Any], path: Path) -> ScenarioFile:

@@ -21,6 +21,7 @@ KeyPath = tuple[str | int, ...]
 """Keys and indices that lead to a value: ("team", "evaders", 2, "speed")."""
 
 _LONGEST_VALUE = 60
+_MOST_TOLD = 10
 
 
 class Mistake(NamedTuple):
@@ -41,10 +42,13 @@ def path_text(path: KeyPath) -> str:
 
 
 def require_none(mistakes: Sequence[Mistake], path: Path) -> None:
-    """Raise InputError with all mistakes of a file, one a line, if there are any."""
+    """Raise InputError with the first mistakes of a file, one a line, if there are any."""
     if mistakes:
         count = "1 mistake" if len(mistakes) == 1 else f"{len(mistakes)} mistakes"
-        raise InputError("\n  ".join([f"{path}: {count}", *map(str, mistakes)]))
+        told = [str(mistake) for mistake in mistakes[:_MOST_TOLD]]
+        rest = len(mistakes) - len(told)
+        more = [f"and {rest} more"] if rest else []
+        raise InputError("\n  ".join([f"{path}: {count}", *told, *more]))
 
 
 def wanted_but_got(wanted: str, value: object) -> str:

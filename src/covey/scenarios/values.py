@@ -142,10 +142,15 @@ _DEGREES = re.compile(rf"\s*({_NUMBER})\s*(?:deg|degrees|°)\s*")
 _OF_PI = re.compile(rf"\s*({_NUMBER}|[+-]?)\s*\*?\s*(?:pi|π)\s*(?:/\s*({_NUMBER}))?\s*")
 
 
+_LONGEST_ANGLE = 60
+
+
 def as_angle(value: object) -> float | None:
     """Return radians for a number, "90 deg", "pi", "-pi/2" or "3 pi / 4"; None for all else."""
     if not isinstance(value, str):
         return as_number(value)
+    if len(value) > _LONGEST_ANGLE:  # a search for digits in it might take for ever
+        return None
     if degrees := _DEGREES.fullmatch(value):
         return math.radians(float(degrees[1]))
     if share := _OF_PI.fullmatch(value):
