@@ -16,7 +16,7 @@ from covey.kernels.maximum.initial_guesses import N_RANDOM
 from covey.kernels.maximum.problem import Problem
 from covey.planning.compiled_objective import compiled_objective
 from covey.planning.guarantee import pursuit_of
-from covey.planning.multistart import Search
+from covey.planning.multistart import NONE, Search
 from covey.planning.open_loop import DEFAULT_TOLERANCE, guess_uniforms
 
 GAMES, STARTS = 200, 250
@@ -37,8 +37,8 @@ def best_known(team, disk):
     problem = Problem(team.as_rows(), pursuit_of(disk), objective)
     for seed in range(STARTS // N_RANDOM):
         uniforms = guess_uniforms(100 + seed, N_RANDOM, len(team))
-        search = Search(problem, DEFAULT_TOLERANCE, uniforms)
-        values.append(search.finish(search.run(0, N_RANDOM)).value)
+        search = Search(problem, DEFAULT_TOLERANCE, uniforms, math.inf)
+        values.append(search.finish(search.run(NONE, N_RANDOM)).value)
     return max(values)
 
 

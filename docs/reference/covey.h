@@ -120,6 +120,7 @@ struct covey_commit_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_commit(const struct covey_commit_words *words, void *results);
 
@@ -294,6 +295,7 @@ struct covey_fly_pursuers_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_fly_pursuers(const struct covey_fly_pursuers_words *words, void *results);
 
@@ -331,6 +333,7 @@ struct covey_fly_teams_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_fly_teams(const struct covey_fly_teams_words *words, void *results);
 
@@ -365,6 +368,7 @@ struct covey_guaranteed_value_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_guaranteed_value_results {
     double value_0;
@@ -456,6 +460,7 @@ struct covey_mean_over_draws_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_mean_over_draws_results {
     double value_0;
@@ -502,6 +507,7 @@ struct covey_minimum_over_sequences_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_minimum_over_sequences_results {
     double value_0;
@@ -510,7 +516,9 @@ int64_t covey_minimum_over_sequences(const struct covey_minimum_over_sequences_w
 
 /* Ascend from a range of initial guesses.
 
-   Among equals the first plan wins, so that a team doesn't change its plan for nothing.
+   Among equals the first plan wins, so that a team doesn't change its plan for nothing. When
+   `workspace.stop` is set, the present ascent ends early and no other begins; the first guess is
+   always evaluated.
 
    Parameters
    ----------
@@ -569,6 +577,7 @@ struct covey_multistart_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_multistart_results {
     double value_0;
@@ -676,7 +685,8 @@ int64_t covey_observe_games(const struct covey_observe_games_words *words, void 
    Returns
    -------
    bool
-       Whether the game is over. If not, call again with a log that was grown. */
+       Whether the game is over. If not, call again with a log that was grown, unless
+       `workspace.stop` has been set. */
 struct covey_play_words {
     int64_t *state_alive; int64_t state_alive_0; /* (1,) */
     int64_t *state_ids; int64_t state_ids_0; /* (N,) numbers of the living */
@@ -732,6 +742,7 @@ struct covey_play_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_play_results {
     int64_t value_0;
@@ -759,7 +770,7 @@ int64_t covey_play(const struct covey_play_words *words, struct covey_play_resul
    Returns
    -------
    bool
-       False if that takes too many updates. */
+       False if that takes too many updates, or if `workspace.stop` is set. */
 struct covey_play_to_capture_words {
     int64_t *state_alive; int64_t state_alive_0; /* (1,) */
     int64_t *state_ids; int64_t state_ids_0; /* (N,) numbers of the living */
@@ -805,6 +816,7 @@ struct covey_play_to_capture_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_play_to_capture_results {
     int64_t value_0;
@@ -867,6 +879,7 @@ struct covey_refine_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_refine_results {
     double value_0;
@@ -939,6 +952,7 @@ struct covey_replan_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_replan(const struct covey_replan_words *words, void *results);
 
@@ -1051,6 +1065,7 @@ struct covey_write_row_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_write_row(const struct covey_write_row_words *words, void *results);
 

@@ -10,6 +10,7 @@ from covey.bounds.fixed_sequence import SequencePlan, plan_for_sequence
 from covey.bounds.polygon_bound import last_capture_bound
 from covey.model import PursuerDisk, Team
 from covey.model.angles import unit_vectors
+from covey.planning.guarantee import about_center
 from covey.planning.open_loop import Plan, plan
 
 _MAX_IMPROVEMENTS = 8
@@ -84,6 +85,7 @@ def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None 
        salesman game problem", Cybernetics and Systems Analysis 46 (2010).
     """
     found = plan(team, disk, seed=seed, starts=starts)
+    team, disk = about_center(team, disk)
     agile = Team(team.positions, team.headings, team.speeds, math.inf)
     point = PursuerDisk(disk.center, disk.radius, disk.speed)
     announced = best_announcement(agile, point, found.critical_sequences[:2])

@@ -14,7 +14,7 @@ from covey.kernels.maximum.fixed_sequence import latest_in_sequence, new_grids
 from covey.model import PursuerDisk, Team
 from covey.model.angles import wrap_angle
 from covey.model.validation import Floats, Ints, permutation, read_only
-from covey.planning.guarantee import capture_times, check_players, pursuit_of
+from covey.planning.guarantee import about_center, capture_times, check_players, pursuit_of
 
 _TURN_TOLERANCE = 1e-9
 """Radians. At a maximum an error of the turns changes the last capture by its square."""
@@ -102,6 +102,7 @@ def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) ->
        salesman game problem", Cybernetics and Systems Analysis 46 (2010).
     """
     check_players(team, disk)
+    team, disk = about_center(team, disk)
     order = permutation("sequence", sequence, len(team))
     found, converged = _best_turns(team, pursuit_of(disk), order)
     turns = np.where(np.isinf(team.turn_rates), wrap_angle(found), found)

@@ -52,7 +52,12 @@ class Workspace(NamedTuple):
     ints: IntVector  # (.,)
     int_rows: IntMatrix  # (., n)
     slots: Int32Vector  # (2**n,) zeros at first; carved as a whole
+    stop: IntVector  # (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON`
 
+
+GO_ON, FINISH, ABANDON = range(3)
+"""How a call goes on. `FINISH`: searches and games end at their next check, with what they have.
+`ABANDON`: minima end too, and the results mean nothing."""
 
 FLOATS, ROWS, WIDE_ROWS, PATH_ROWS, PADDED_ROWS, INTS, INT_ROWS = range(7)
 
@@ -73,6 +78,7 @@ def new_workspace(size: int, total: bool = False) -> Workspace:
         np.zeros(sets + (states if total else 0) + 16 * (size + 8), np.int64),
         np.zeros((4 * size + 8, size), np.int64),
         np.zeros(sets, np.int32),
+        np.zeros(1, np.int64),
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -52,6 +52,10 @@ class PursuerDisk:
             ("capture_radius", number("capture_radius", capture_radius, low=0.0)),
         ):
             object.__setattr__(self, name, value)
+
+    def moved(self, by: Floats) -> PursuerDisk:
+        """Return the disk, moved `by` (2,)."""
+        return replace(self, center=self.center + by)
 
     def towards(self, goal: Floats, lengths: npt.ArrayLike) -> Floats:
         """Return the points `lengths` (...) from the centre on the way to `goal` (2,), as (..., 2).

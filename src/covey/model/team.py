@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
-from covey.model.validation import Floats, InputError, Ints, frozen_array, frozen_rates
+from covey.model.validation import Floats, InputError, Ints, frozen_array, frozen_rates, read_only
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,6 +77,12 @@ class Team:
         return Team(
             self.positions[rows], self.headings[rows], self.speeds[rows], self.turn_rates[rows]
         )
+
+    def moved(self, by: Floats) -> Team:
+        """Return the team, moved `by` (2,)."""
+        moved = copy(self)
+        object.__setattr__(moved, "positions", read_only(self.positions + by))
+        return moved
 
     def as_rows(self) -> Floats:
         """Return (N, 5) rows (x, y, heading, speed, turn rate), as the kernels read them."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from covey.kernels.arrays import Workspace
 from covey.kernels.capture.path import PATH, set_paths
 from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.capture.sequence import capture_times as sequence_times
@@ -25,6 +26,7 @@ from covey.model import (
 )
 from covey.model.validation import Floats, checked_array, permutation, require_kind
 from covey.planning.compiled_objective import checked_objective, compiled_objective
+from covey.planning.long_calls import interceptions_of_minimum, interruptible
 from covey.planning.workspace import workspace
 
 
@@ -77,6 +79,16 @@ def check_game(team: Team, disk: PursuerDisk) -> None:
         )
 
 
+def about_center(team: Team, disk: PursuerDisk) -> tuple[Team, PursuerDisk]:
+    """Return the team and the disk in the frame whose origin is the disk's centre.
+
+    There the rounding of positions is relative to the size of the game, wherever the game is.
+    """
+    if not disk.center.any():
+        return team, disk
+    return team.moved(-disk.center), disk.moved(-disk.center)
+
+
 def longest_game(team: Team, disk: PursuerDisk) -> float:
     """Return a time by which a pursuer that keeps to any one sequence has captured everybody.
 
@@ -124,6 +136,7 @@ def capture_times(
     """
     check_players(team, disk)
     order = permutation("sequence", sequence, len(team))
+    team, disk = about_center(team, disk)
     times = np.empty(len(team))
     sequence_times(paths_of(team, disk, turns), pursuit_of(disk), order, times)
     return times
@@ -170,13 +183,18 @@ def guaranteed_survival(
             "objective: expected LastCapture() or TotalSurvival(), got an expectation, which "
             "guarantees nothing; expected_survival computes it"
         )
+    team, disk = about_center(team, disk)
     n = len(team)
     total = checked_objective(objective).measure == "total"
     checked, sequence = checked_array("turns", turns, (n,)), np.empty(n, np.int64)
-    value = minimum_over_sequences(
-        team.as_rows(), checked, pursuit_of(disk), total, math.inf, sequence, workspace(n, total)
-    )
-    return Guarantee(value, tuple(sequence.tolist()))
+
+    def least(scratch: Workspace) -> float:
+        return minimum_over_sequences(
+            team.as_rows(), checked, pursuit_of(disk), total, math.inf, sequence, scratch
+        )
+
+    work = interceptions_of_minimum(n, total)
+    return Guarantee(interruptible(least, n, total, work), tuple(sequence.tolist()))
 
 
 def expected_survival(
@@ -207,6 +225,7 @@ def expected_survival(
     check_players(team, disk)
     if not isinstance(objective, ExpectedSurvival):
         raise InputError(f"objective: expected ExpectedSurvival(...), got {objective!r}")
+    team, disk = about_center(team, disk)
     checked = checked_array("turns", turns, (len(team),))
     problem = Problem(team.as_rows(), pursuit_of(disk), compiled_objective(objective, len(team)))
     return mean_over_draws(problem, checked, workspace(len(team)))

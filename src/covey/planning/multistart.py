@@ -6,11 +6,12 @@ import math
 import os
 import time
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels.arrays import Workspace
+from covey.kernels.arrays import GO_ON, Workspace
 from covey.kernels.maximum.initial_guesses import BATCH, Guesses, insert, new_elite
 from covey.kernels.maximum.multistart import (
     RADIUS_RANDOM,
@@ -28,12 +29,17 @@ from covey.kernels.maximum.problem import (
     Problem,
 )
 from covey.kernels.maximum.working_set import new_working_set
-from covey.model.validation import Floats
+from covey.model.validation import Floats, Ints
+from covey.planning.long_calls import LONG, interceptions_of, interruptible, new_flag, run_all
 from covey.planning.workspace import workspace
 
 MAX_STEPS = 200
 GUESS_STEPS = 50
 """Steps of an ascent while other guesses wait: one in a hundred takes more, and gains little."""
+ASCENT_VALUES = 30
+"""Values of the objective that an ascent computes, about."""
+PARALLEL = 9
+"""From this many evaders on, ascents run in parallel: each takes milliseconds."""
 
 
 class Ascents(NamedTuple):
@@ -42,10 +48,10 @@ class Ascents(NamedTuple):
     value: float
     status: int  # CONVERGED, STALLED or STEPS_USED_UP
     iterate: Iterate  # turns and working set of the plan
-    starts: int  # ascents that ran
+    starts: int  # ascents
     steps: int
     interceptions: int
-    in_time: bool  # whether no ascent was left out because of the deadline
+    in_time: bool  # whether no ascent was left out or ended early because of the deadline
 
     def joined(self, other: Ascents) -> Ascents:
         """Return the better plan, this plan among equals, and the cost of both."""
@@ -62,9 +68,6 @@ class Ascents(NamedTuple):
 NONE = Ascents(-math.inf, CONVERGED, Iterate(np.empty(0), new_working_set(0)), 0, 0, 0, True)
 """What no ascent has found."""
 
-LATE = NONE._replace(in_time=False)
-"""What an ascent has found that was left out because of the deadline."""
-
 
 class Search:
     """Ascents on one problem, which learn from the best plans so far.
@@ -77,78 +80,83 @@ class Search:
         A predicted gain below this, relative to the value, ends an ascent.
     uniforms
         Random numbers of the initial guesses, see `Guesses`.
-
-    Attributes
-    ----------
-    size : int
-        How many evaders are planned for.
+    deadline
+        By `time.perf_counter`, when the search ends with what it has; inf: none. The first turns
+        are always evaluated.
     """
 
-    def __init__(self, problem: Problem, tolerance: float, uniforms: Floats) -> None:
+    def __init__(
+        self, problem: Problem, tolerance: float, uniforms: Floats, deadline: float
+    ) -> None:
         self._problem, self._tolerance, self._uniforms = problem, tolerance, uniforms
-        self.size = len(problem.evaders)
-        self._elite = new_elite(self.size)
+        self._deadline = deadline
+        self._size, self._total = len(problem.evaders), problem.objective.total
+        self._work = ASCENT_VALUES * interceptions_of(problem.objective, self._size)
+        self._elite = new_elite(self._size)
 
     def refine(self, iterate: Iterate) -> Ascents:
         """Ascend from a plan, which is overwritten."""
         known = iterate.working_set.used[0] > 0
         radius = RADIUS_WARM if known else RADIUS_UNKNOWN_SET
         options = Options(radius, self._tolerance, MAX_STEPS)
-        found = refine(
-            self._problem, self._uniforms, 0, options, -math.inf, iterate, self._workspace()
-        )
-        return _ascents(found, iterate, 1)
 
-    def run(self, first: int, count: int) -> Ascents:
-        """Ascend from `count` guesses, from guess number `first` on, in this thread."""
-        iterate = Iterate(np.zeros(self.size), new_working_set(self.size))
-        guesses = self._guesses(first, count)
-        options = Options(RADIUS_RANDOM, self._tolerance, GUESS_STEPS)
-        found = multistart(self._problem, guesses, options, -math.inf, iterate, self._workspace())
-        return _ascents(found, iterate, count)
+        def ascend(scratch: Workspace) -> tuple[float, int, int, int]:
+            return refine(self._problem, self._uniforms, 0, options, -math.inf, iterate, scratch)
 
-    def insert(self, ascents: Ascents) -> None:
-        """Insert a plan into the elite, which later guesses vary."""
-        if ascents.starts > 0:
-            insert(self._elite, ascents.value, ascents.iterate.turns)
+        found = interruptible(ascend, self._size, self._total, self._work, self._deadline)
+        ascents = _ascents(found, iterate, 1)
+        self._insert(ascents)
+        return ascents._replace(in_time=time.perf_counter() <= self._deadline)
 
-    def run_parallel(self, best: Ascents, count: int, deadline: float) -> Ascents:
-        """Ascend from `count` guesses, a batch at a time in parallel; return the best with `best`.
-
-        No ascent begins after the deadline, but for the first of all.
-        """
-
-        def ascend(guess: int) -> Ascents:
-            late = time.perf_counter() > deadline and (guess > 0 or best.starts > 0)
-            return LATE if late else self.run(guess, 1)
-
-        with ThreadPoolExecutor(min(BATCH, os.cpu_count() or 1)) as executor:
-            for first in range(0, count, BATCH):
-                batch = range(first, min(first + BATCH, count))
-                for ascents in list(executor.map(ascend, batch)):
-                    self.insert(ascents)
-                    best = best.joined(ascents)
-                if not best.in_time:
-                    break
-        return best
+    def run(self, best: Ascents, count: int) -> Ascents:
+        """Ascend from `count` guesses; return the best with `best`, this plan among equals."""
+        long = self._size >= PARALLEL or count * self._work > LONG
+        if self._deadline < math.inf or (long and count > 1):
+            return self._run_parallel(best, count)
+        return best.joined(self._ascend(0, count))
 
     def finish(self, ascents: Ascents) -> Ascents:
         """Go on from the best plan if its steps were used up while other guesses waited."""
-        if ascents.status != STEPS_USED_UP:
+        if ascents.status != STEPS_USED_UP or not ascents.in_time:
             return ascents
         refined = self.refine(ascents.iterate)  # never worse
         return refined._replace(
             starts=ascents.starts,
             steps=ascents.steps + refined.steps,
             interceptions=ascents.interceptions + refined.interceptions,
-            in_time=ascents.in_time,
         )
 
-    def _guesses(self, first: int, count: int) -> Guesses:
-        return Guesses(self._uniforms, self._elite, first, count)
+    def _run_parallel(self, best: Ascents, count: int) -> Ascents:
+        """Ascend from `count` guesses, a batch at a time in parallel."""
+        stop = new_flag()
 
-    def _workspace(self) -> Workspace:
-        return workspace(self.size, self._problem.objective.total)
+        def ascend(guess: int) -> Ascents:
+            needless = stop[0] != GO_ON and (guess > 0 or best.starts > 0)
+            return NONE if needless else self._ascend(guess, 1, stop)
+
+        with ThreadPoolExecutor(min(BATCH, os.cpu_count() or 1)) as executor:
+            for first in range(0, count, BATCH):
+                batch = [partial(ascend, k) for k in range(first, min(first + BATCH, count))]
+                for ascents in run_all(executor, batch, stop, self._deadline):
+                    self._insert(ascents)
+                    best = best.joined(ascents)
+                if stop[0] != GO_ON:
+                    return best._replace(in_time=False)
+        return best
+
+    def _ascend(self, first: int, count: int, stop: Ints | None = None) -> Ascents:
+        """Ascend from `count` guesses, from guess number `first` on, in this thread."""
+        iterate = Iterate(np.zeros(self._size), new_working_set(self._size))
+        guesses = Guesses(self._uniforms, self._elite, first, count)
+        options = Options(RADIUS_RANDOM, self._tolerance, GUESS_STEPS)
+        scratch = workspace(self._size, self._total, stop)
+        found = multistart(self._problem, guesses, options, -math.inf, iterate, scratch)
+        return _ascents(found, iterate, count)
+
+    def _insert(self, ascents: Ascents) -> None:
+        """Insert a plan into the elite, which later guesses vary."""
+        if ascents.starts > 0:
+            insert(self._elite, ascents.value, ascents.iterate.turns)
 
 
 def _ascents(found: tuple[float, int, int, int], iterate: Iterate, starts: int) -> Ascents:

@@ -18,14 +18,12 @@ from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, Pu
 from covey.model.angles import wrap_angle
 from covey.model.validation import Floats, frozen_array, number, read_only, whole_number
 from covey.planning.compiled_objective import checked_objective, compiled_objective
-from covey.planning.guarantee import check_game, guaranteed_survival, pursuit_of
+from covey.planning.guarantee import about_center, check_game, guaranteed_survival, pursuit_of
 from covey.planning.multistart import NONE, Ascents, Search
 
 DEFAULT_STARTS = 32
 """Starts of the first plan of a game that is played; `plan` by itself follows `default_starts`."""
 DEFAULT_TOLERANCE = 1e-9
-PARALLEL = 9
-"""From this many evaders on, ascents run in parallel: each takes milliseconds."""
 CRITICAL_WITHIN = 1e-6
 """Sequences within this of the guaranteed time, relative, count as critical."""
 
@@ -36,7 +34,7 @@ class PlanStatus(StrEnum):
     CONVERGED = "a local maximum, the best of all starts"
     STALLED = "the best of all starts, where rounding ended the ascent short of the tolerance"
     STEPS_USED_UP = "the best start was still rising when its steps were used up"
-    TIME_LIMIT = "the time limit ended the search; the best of the starts made until then"
+    TIME_LIMIT = "the time limit ended the search; the best turns found until then"
 
 
 _STATUS = {
@@ -120,7 +118,8 @@ def plan(
     tolerance
         An ascent ends when a step promises less than this, relative to the value.
     time_limit
-        Seconds after which no further ascent begins; the first always runs. None: no limit.
+        Seconds after which the search ends with the best turns so far; the first turns are always
+        evaluated. None: no limit.
     warm_start
         A Plan, or (N,) turns in [-π, π], to start from. The result is never worse than it.
 
@@ -149,6 +148,7 @@ def plan(
     number("tolerance", tolerance, low=0.0, strictly=True)
     if time_limit is not None:
         number("time_limit", time_limit, low=0.0)
+    team, disk = about_center(team, disk)
     n = len(team)
     starts = default_starts(n) if starts is None else whole_number("starts", starts, low=1)
     deadline = math.inf if time_limit is None else time.perf_counter() + time_limit
@@ -156,8 +156,8 @@ def plan(
     problem = Problem(team.as_rows(), pursuit_of(disk), compiled)
     warm = None if warm_start is None else _iterate_of(warm_start, team)
     guesses = starts - (warm is not None)
-    search = Search(problem, tolerance, guess_uniforms(seed, guesses, n))
-    best = _best_of(search, warm, guesses, deadline)
+    search = Search(problem, tolerance, guess_uniforms(seed, guesses, n), deadline)
+    best = _best_of(search, warm, guesses)
     if isinstance(objective, ExpectedSurvival):
         critical = _drawn(problem.objective.draws)
     else:
@@ -165,15 +165,11 @@ def plan(
     return _plan_of(team, disk, objective, best, critical)
 
 
-def _best_of(search: Search, warm: Iterate | None, guesses: int, deadline: float) -> Ascents:
+def _best_of(search: Search, warm: Iterate | None, guesses: int) -> Ascents:
     """Return the best of an ascent from the warm start, if any, and from initial guesses."""
     best = NONE if warm is None else search.refine(warm)
     if guesses > 0:
-        search.insert(best)
-        if deadline < math.inf or (guesses > 1 and search.size >= PARALLEL):
-            best = search.run_parallel(best, guesses, deadline)
-        else:
-            best = best.joined(search.run(0, guesses))
+        best = search.run(best, guesses)
     return search.finish(best)
 
 

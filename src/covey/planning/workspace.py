@@ -8,6 +8,7 @@ from __future__ import annotations
 import threading
 
 from covey.kernels.arrays import Workspace, new_workspace
+from covey.model.validation import Ints
 
 SMALL = 14
 """Evaders up to which the workspaces of all sizes are kept: 6 MB, 16 MB with room for sums."""
@@ -18,12 +19,15 @@ LARGEST_KEPT = 18
 _kept = threading.local()
 
 
-def workspace(size: int, total: bool = False) -> Workspace:
+def workspace(size: int, total: bool = False, stop: Ints | None = None) -> Workspace:
     """Return a workspace for teams of up to `size` evaders; with `total`, with room for sums.
 
     The next call with the same arguments in the same thread returns the same memory, so a workspace
-    may be used for one call of a kernel at a time.
+    may be used for one call of a kernel at a time. With `stop` (1,), that is its flag, which ends
+    long calls; otherwise nobody sets its flag.
     """
+    if stop is not None:
+        return workspace(size, total)._replace(stop=stop)
     if size > LARGEST_KEPT:
         return new_workspace(size, total)
     kept: dict[tuple[int, bool], Workspace] = _kept.__dict__.setdefault("workspaces", {})

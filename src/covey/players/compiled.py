@@ -5,13 +5,14 @@ from __future__ import annotations
 from typing import NamedTuple, TypeGuard
 
 from covey.kernels.arrays import Workspace
+from covey.kernels.maximum.objective import Objective as CompiledObjective
 from covey.kernels.play.game import allocate_log, grow_log, play
 from covey.kernels.play.policy import ReplanOptions, TeamMemory
 from covey.kernels.play.rules import State
 from covey.model import Objective, PursuerDisk, Team
 from covey.planning import Plan, plan
-from covey.planning.guarantee import check_game, longest_game
-from covey.planning.workspace import workspace
+from covey.planning.guarantee import about_center, check_game, longest_game
+from covey.planning.long_calls import interceptions_of, interruptible
 from covey.players.pursuers.committed import CommittedPursuer
 from covey.players.pursuers.fixed_order import BestSequence, FixedSequence, RandomSequence
 from covey.players.teams.open_loop import IterativeOpenLoop, OpenLoop, first_memory
@@ -23,6 +24,7 @@ BuiltInTeam = OpenLoop | IterativeOpenLoop
 BuiltInPursuer = CommittedPursuer | FixedSequence | BestSequence | RandomSequence
 
 _FIRST_ROWS = 256  # of a log, which grows
+_UPDATE_VALUES = 4  # values of the objective that an update computes, about
 
 
 class InitialGame(NamedTuple):
@@ -32,7 +34,6 @@ class InitialGame(NamedTuple):
     state: State
     options: ReplanOptions
     memory: TeamMemory
-    workspace: Workspace
 
 
 def team_is_built_in(evaders: object) -> TypeGuard[BuiltInTeam]:
@@ -65,12 +66,12 @@ def initial_game(
 ) -> InitialGame:
     """Make the team's first plan, and what its game is played on."""
     options, objective = evaders.compiled(), settings.objective
+    team, disk = about_center(team, disk)
     first = plan(team, disk, objective=objective, seed=settings.seed, starts=evaders.starts)
     memory = first_memory(first, settings.seed, options.restarts)
     state = first_state(team, disk)
     state.turns[:] = first.turns
-    scratch = workspace(len(team), memory.objective.total)
-    return InitialGame(first, state, options, memory, scratch)
+    return InitialGame(first, state, options, memory)
 
 
 def play_compiled(
@@ -85,9 +86,21 @@ def play_compiled(
     """Play a game; if `recorded`, its log has a row for every decision."""
     strategies = {"evaders": evaders.describe(), "pursuer": pursuer.describe()}
     setup = GameSetup(team, disk, settings, strategies)
+    team, disk = about_center(team, disk)
     commitment = pursuer.commitment(team, disk, settings.seed)
-    first, state, options, memory, scratch = initial_game(team, disk, evaders, settings)
+    first, state, options, memory = initial_game(team, disk, evaders, settings)
     rules, log = settings.rules(disk), allocate_log(_FIRST_ROWS if recorded else 0, len(team))
-    while not play(state, rules, options, memory, commitment, log, scratch):
+
+    def go_on(scratch: Workspace) -> bool:
+        return play(state, rules, options, memory, commitment, log, scratch)
+
+    work = game_interceptions(first, memory.objective, settings)
+    while not interruptible(go_on, len(team), memory.objective.total, work):
         log, commitment = grow_log(log), commitment._replace(is_chosen=True)
     return Played(setup, first.survival_time, first.value, log)
+
+
+def game_interceptions(first: Plan, objective: CompiledObjective, settings: Settings) -> float:
+    """Return how many interceptions a game takes, about; for `interruptible`."""
+    updates = first.survival_time / settings.update_time
+    return _UPDATE_VALUES * updates * interceptions_of(objective, len(first.turns))

@@ -10,12 +10,21 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import NamedTuple
 
+from covey.kernels.arrays import Workspace
 from covey.kernels.play.policy import TeamMemory
 from covey.kernels.play.rules import State
 from covey.kernels.play.to_capture import guaranteed_value, play_to_capture
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team, objective_value
 from covey.model.validation import number
-from covey.players.compiled import BuiltInTeam, checked_settings, initial_game, team_is_built_in
+from covey.planning.long_calls import interruptible
+from covey.planning.workspace import workspace
+from covey.players.compiled import (
+    BuiltInTeam,
+    checked_settings,
+    game_interceptions,
+    initial_game,
+    team_is_built_in,
+)
 from covey.players.pursuers.delayed import DelayedSequence
 from covey.players.teams.open_loop import IterativeOpenLoop
 from covey.simulation import Settings, TeamPolicy, TeamStrategy, play
@@ -167,9 +176,9 @@ class _Tree:
             delays,
             settings.objective,
         )
-        first, state, self._options, memory, self._scratch = initial_game(
-            team, disk, strategy, settings
-        )
+        first, state, self._options, memory = initial_game(team, disk, strategy, settings)
+        self._size = len(team)
+        self._work = game_interceptions(first, memory.objective, settings)
         self._root = _Node((), state, memory, first.value)
         self.worst: tuple[Capture, ...] = ()
         self._least = math.inf
@@ -193,19 +202,17 @@ class _Tree:
         for row, delay in itertools.product(range(int(node.state.alive[0])), self._delays):
             state, memory = deepcopy(node.state), deepcopy(node.memory)
             captured = int(state.ids[row])
-            if not play_to_capture(
-                state,
-                self._rules,
-                self._options,
-                memory,
-                row,
-                delay,
-                self._scratch,
-            ):
+            if not self._play_to_capture(state, memory, row, delay):
                 raise _too_many_updates(self._rules.update_time)
             self.flights += 1
             captures = (*node.captures, Capture(captured, float(state.time[0]), delay))
             yield _Node(captures, state, memory, self._lower_bound(captures, state, memory))
+
+    def _play_to_capture(self, state: State, memory: TeamMemory, row: int, delay: float) -> bool:
+        def go_on(scratch: Workspace) -> bool:
+            return play_to_capture(state, self._rules, self._options, memory, row, delay, scratch)
+
+        return interruptible(go_on, self._size, memory.objective.total, self._work)
 
     def _lower_bound(
         self, captures: tuple[Capture, ...], state: State, memory: TeamMemory
@@ -217,7 +224,7 @@ class _Tree:
         alive, total = int(state.alive[0]), memory.objective.total
         bound = float(state.time[0]) * (alive if total else 1)
         if alive > 0 and not memory.objective.expected:
-            bound = guaranteed_value(state, self._rules, total, self._scratch)
+            bound = guaranteed_value(state, self._rules, total, workspace(self._size, total))
         return bound + (sum(capture.time for capture in captures) if total else 0.0)
 
 

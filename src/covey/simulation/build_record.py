@@ -43,7 +43,7 @@ def build_record(played: Played) -> Game:
 
     The log tells where a pursuer was that is visible or has a position of its own.
     """
-    setup, log = played.setup, cut_log(played.log)
+    setup, log = played.setup, _moved(cut_log(played.log), played.setup.disk.center)
     series = {field: each.logged(log) for field, each in time_series(len(setup.team)).items()}
     if setup.settings.sensing == "hidden" and setup.position is None:
         series["pursuer_positions"] = _explaining_flight(setup.disk, log)
@@ -59,6 +59,16 @@ def build_record(played: Played) -> Game:
         **outcome_of(played)._asdict(),
         **series,
     )
+
+
+def _moved(log: GameLog, by: Floats) -> GameLog:
+    """Return the log of a game, from its own frame moved `by` (2,)."""
+    if not by.any():
+        return log
+    evaders, pursuers = log.evaders.copy(), log.pursuers.copy()
+    evaders[:, :, :2] += by
+    pursuers[:, :4] += np.tile(by, 2)
+    return log._replace(evaders=evaders, pursuers=pursuers)
 
 
 def _status(setup: GameSetup, log: GameLog) -> GameStatus:

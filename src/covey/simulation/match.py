@@ -16,7 +16,7 @@ from covey.kernels.play.game import (
 from covey.kernels.play.rules import NOBODY, announce, fly, moves
 from covey.model import PursuerDisk, Team
 from covey.planning.compiled_objective import compiled_objective
-from covey.planning.guarantee import value_of_plan
+from covey.planning.guarantee import about_center, value_of_plan
 from covey.planning.workspace import workspace
 from covey.simulation.build_record import Played, build_record
 from covey.simulation.information import (
@@ -33,6 +33,7 @@ from covey.simulation.strategy import (
     TeamPolicy,
     TeamStrategy,
     description,
+    in_own_frame,
     policy_of,
     position_of,
 )
@@ -63,14 +64,19 @@ class Match:
         settings: Settings,
     ) -> None:
         compiled_objective(settings.objective, len(team))  # an error before anybody flies
-        self._plan = policy_of("evaders", evaders, settings.seed)
-        self._decide = policy_of("pursuer", pursuer, settings.seed)
+        self._plan = in_own_frame(
+            evaders, policy_of("evaders", evaders, settings.seed), disk.center
+        )
+        self._decide = in_own_frame(
+            pursuer, policy_of("pursuer", pursuer, settings.seed), disk.center
+        )
         strategies = {"evaders": description(evaders), "pursuer": description(pursuer)}
         position = position_of(pursuer, disk)
         self._setup = GameSetup(team, disk, settings, strategies, position)
         self._rules = settings.rules(disk, has_position=position is not None)
         self._moves = moves(self._rules)
-        self._state = first_state(team, disk, position)
+        own = None if position is None else position - disk.center
+        self._state = first_state(*about_center(team, disk), own)
         self._log = allocate_log(256, len(team))
         self._announce_plan()
         turns = self._log.evaders[0, :, 3]

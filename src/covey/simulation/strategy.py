@@ -7,7 +7,7 @@ function that is called at every decision. A plain function that needs no memory
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
 import numpy as np
@@ -56,6 +56,11 @@ class Situation:
             return self.disk
         return PursuerDisk(self.place, 0.0, self.disk.speed, self.disk.capture_radius)
 
+    def moved(self, by: Floats) -> Situation:
+        """Return the situation, moved `by` (2,)."""
+        place = None if self.place is None else self.place + by
+        return replace(self, team=self.team.moved(by), disk=self.disk.moved(by), place=place)
+
 
 @dataclass(frozen=True)
 class Chase:
@@ -87,6 +92,9 @@ TeamPolicy = Callable[[Situation], npt.ArrayLike]
 """Returns (n,) signed turns in [-π, π] of the living."""
 
 PursuerPolicy = Callable[[Situation], Chase | Fly]
+
+Policy = Callable[[Situation], Any]
+"""Of either side, before its decisions are checked."""
 
 
 class TeamStrategy(Protocol):
@@ -140,7 +148,7 @@ def position_of(strategy: object, disk: PursuerDisk) -> Floats | None:
     return position
 
 
-def policy_of(role: str, strategy: object, seed: int) -> Callable[[Situation], Any]:
+def policy_of(role: str, strategy: object, seed: int) -> Policy:
     """Return the policy that a strategy, or a plain function, follows in a game.
 
     Raises
@@ -155,7 +163,7 @@ def policy_of(role: str, strategy: object, seed: int) -> Callable[[Situation], A
             f"make a value of it: {strategy.__name__}(...)"
         )
     if callable(start):
-        policy: Callable[[Situation], Any] = start(seed)
+        policy: Policy = start(seed)
         return policy
     if callable(strategy):
         return strategy
@@ -163,3 +171,14 @@ def policy_of(role: str, strategy: object, seed: int) -> Callable[[Situation], A
         f"{role}: expected a strategy (a value with a method start(seed)) or a function of a "
         f"Situation, got {strategy!r}"
     )
+
+
+def in_own_frame(strategy: object, policy: Policy, origin: Floats) -> Policy:
+    """Return a policy that is called with situations of the game's own frame.
+
+    The origin of that frame is `origin` (2,). Only a strategy that says so, by an attribute
+    `in_any_frame` that is true, sees situations of that frame, without rounding.
+    """
+    if getattr(strategy, "in_any_frame", False) or not origin.any():
+        return policy
+    return lambda situation: policy(situation.moved(origin))

@@ -7,7 +7,7 @@ Hessian is continuous unless an evader is captured at the very end of a turn.
 from __future__ import annotations
 
 from covey.kernels._jit import compiled
-from covey.kernels.arrays import Floats
+from covey.kernels.arrays import GO_ON, Floats
 from covey.kernels.capture.derivatives import add_curvature, differentiate
 from covey.kernels.capture.sequence import capture_times
 from covey.kernels.maximum.curvature import factor_hessian
@@ -55,7 +55,7 @@ def maximise_expected(
     value = evaluate(problem, turns, iterate.working_set, here)
     radius, scale, moved, steps, status = options.radius, 1.0, True, 0, STEPS_USED_UP
     scratch.counters[INTERCEPTIONS] += n * drawn
-    while status == STEPS_USED_UP and steps < options.max_steps:
+    while status == STEPS_USED_UP and steps < options.max_steps and scratch.stop[0] == GO_ON:
         if moved:
             scale = power_of_two_scale(value)
             _build_model(problem, here, scale, scratch.model)

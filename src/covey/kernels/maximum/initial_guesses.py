@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from covey.kernels._jit import compiled
-from covey.kernels.arrays import Floats, Matrix, Vector
+from covey.kernels.arrays import GO_ON, Floats, Matrix, Vector
 from covey.kernels.capture.path import HEADING, TURN_RATE, X, Y, wrapped
 from covey.kernels.maximum.local_maximum import exact_value
 from covey.kernels.maximum.problem import Problem
@@ -110,6 +110,8 @@ def make_guess(
     varying = number >= N_RANDOM and len(turns) > _SMALL and elite.values[0] > -math.inf
     best = -math.inf
     for row in range((number - 1) * CANDIDATES, number * CANDIDATES, 2 if varying else 1):
+        if best > -math.inf and scratch.stop[0] != GO_ON:
+            break
         if varying:
             _vary(problem.evaders, guesses, row, number % ELITE, candidate)
         else:

@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled, entry, inlined
-from covey.kernels.arrays import Floats, Matrix, Workspace, floats, rows
+from covey.kernels.arrays import GO_ON, Floats, Matrix, Workspace, floats, rows
 from covey.kernels.maximum.initial_guesses import (
     BATCH,
     ELITE,
@@ -72,7 +72,9 @@ def multistart(
 ) -> tuple[float, int, int, int]:
     """Ascend from a range of initial guesses.
 
-    Among equals the first plan wins, so that a team doesn't change its plan for nothing.
+    Among equals the first plan wins, so that a team doesn't change its plan for nothing. When
+    `workspace.stop` is set, the present ascent ends early and no other begins; the first guess is
+    always evaluated.
 
     Parameters
     ----------
@@ -100,6 +102,8 @@ def multistart(
     turns = scratch.iterate.turns[:n]
     found = Iterate(turns, scratch.iterate.working_set)
     for k in range(guesses.size):
+        if k > 0 and scratch.ascent.stop[0] != GO_ON:
+            break
         make_guess(
             problem, guesses, guesses.first + k, scratch.candidate[:n], turns, scratch.ascent
         )

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 from covey.kernels._jit import compiled, inlined
+from covey.kernels.arrays import GO_ON
 from covey.kernels.maximum.curvature import HessianStatus, factor_hessian, multipliers_changed
 from covey.kernels.maximum.local_model import (
     ModelScratch,
@@ -64,7 +65,8 @@ def solve_sqp(
        next step would gain less than the model's error.
     6. Update the trust region. A radius below `MIN_RADIUS` ends the ascent as stalled.
 
-    The value never falls below that of the first iterate.
+    The value never falls below that of the first iterate. The flag `scratch.stop` is read before
+    each step, and ends the ascent as if its steps were used up.
 
     Parameters
     ----------
@@ -91,7 +93,7 @@ def solve_sqp(
     progress = _start(problem, iterate, lower_bound, points.here, scratch)
     model, is_stale = Model(1.0, HessianStatus(False, False), -math.inf), True
     status, steps = STEPS_USED_UP, 0
-    while status == STEPS_USED_UP and steps < options.max_steps:
+    while status == STEPS_USED_UP and steps < options.max_steps and scratch.stop[0] == GO_ON:
         if is_stale:
             model = _fit(problem, iterate, progress.value, points.here, scratch.model)
         model = _propose(iterate, options, progress, model, points.here, scratch.model)

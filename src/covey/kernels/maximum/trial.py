@@ -35,6 +35,7 @@ class AscentScratch(NamedTuple):
     model: ModelScratch
     single: WorkingSet  # one row, which stands for a mean over drawn sequences
     counters: Ints  # (COUNTERS,) steps, inner solves, interceptions of this call
+    stop: Ints  # (1,) of the workspace
 
 
 @inlined
@@ -50,6 +51,7 @@ def ascent_scratch(workspace: Workspace) -> AscentScratch:
         model_scratch(workspace),
         working_set_scratch(workspace),
         ints(workspace, COUNTERS),
+        workspace.stop,
     )
     scratch.single.used[0], scratch.single.weights[0] = 1, 1.0
     for k in range(COUNTERS):

@@ -32,6 +32,7 @@ class SubsetScratch(NamedTuple):
     labels: Labels
     lines: Floats  # (6, padded(n))
     deadlines: Floats  # (2**n, padded(n)) by the set that is still to follow, and last captured
+    stop: Ints  # (1,) of the workspace
 
 
 @inlined
@@ -47,6 +48,7 @@ def subset_scratch(workspace: Workspace, n: int) -> SubsetScratch:
         ),
         padded_rows(workspace, LINES),
         padded_rows(workspace, 1 << n),
+        workspace.stop,
     )
 
 

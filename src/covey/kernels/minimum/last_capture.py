@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from covey.kernels._jit import compiled
-from covey.kernels.arrays import Floats, Ints
+from covey.kernels.arrays import ABANDON, Floats, Ints
 from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.capture.straight_legs import set_lines
 from covey.kernels.minimum.deadlines import set_deadlines
@@ -70,8 +70,8 @@ def min_last_capture(
     set_lines(paths, scratch.lines)
     set_deadlines(paths, scratch.lines, pursuit, bound, scratch.deadlines)
     last_slot = initial_labels(paths, pursuit, bound, scratch)
-    interceptions, slot = n, 1
-    while slot <= last_slot and labels.queue[slot] != (1 << n) - 1:
+    interceptions, slot, full = n, 1, (1 << n) - 1
+    while slot <= last_slot and labels.queue[slot] != full and scratch.stop[0] != ABANDON:
         last_slot, cost = extend(paths, pursuit, bound, slot, last_slot, scratch)
         interceptions += cost
         slot += 1

@@ -18,7 +18,7 @@ import math
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Ints, Workspace, floats, ints, padded, padded_rows
+from covey.kernels.arrays import ABANDON, Floats, Ints, Workspace, floats, ints, padded, padded_rows
 from covey.kernels.capture.interception import capture_in_turn, earliest_capture
 from covey.kernels.capture.path import TURN_END, VELOCITY_X, VELOCITY_Y
 from covey.kernels.capture.pursuit import Pursuit, disk_after, initial_disk
@@ -40,6 +40,7 @@ class TotalTimeScratch(NamedTuple):
     order: Ints  # (n,) the present beginning
     tried: Ints  # (n + 1,) sets
     spent: Floats  # (n + 1,) sums
+    stop: Ints  # (1,) of the workspace
 
 
 @inlined
@@ -57,6 +58,7 @@ def total_time_scratch(workspace: Workspace, n: int) -> TotalTimeScratch:
         ints(workspace, n),
         ints(workspace, n + 1),
         floats(workspace, n + 1),
+        workspace.stop,
     )
 
 
@@ -95,7 +97,7 @@ def min_total_time(
     tried, spent = scratch.tried, scratch.spent
     _begin(paths, pursuit, scratch)
     captured, depth, interceptions = 0, 0, n
-    while depth >= 0:
+    while depth >= 0 and scratch.stop[0] != ABANDON:
         i = _nearest(n, arrivals[depth], tried[depth])
         if i < 0:
             depth -= 1

@@ -9,6 +9,7 @@ import numpy as np
 
 from covey.kernels._jit import compiled, entry
 from covey.kernels.arrays import (
+    GO_ON,
     IntMatrix,
     IntVector,
     Matrix,
@@ -176,11 +177,12 @@ def play(
     Returns
     -------
     bool
-        Whether the game is over. If not, call again with a log that was grown.
+        Whether the game is over. If not, call again with a log that was grown, unless
+        `workspace.stop` has been set.
     """
     recorded, total = len(log.times) > 0, memory.objective.total
     while not is_over(log, state, rules):
-        if recorded and log.counters[ROWS] + 2 > len(log.times):
+        if workspace.stop[0] != GO_ON or (recorded and log.counters[ROWS] + 2 > len(log.times)):
             return False
         log.counters[UPDATES] += 1
         n = state.alive[0]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from covey.kernels._jit import compiled, entry
-from covey.kernels.arrays import Workspace
+from covey.kernels.arrays import GO_ON, Workspace
 from covey.kernels.capture.path import X, Y
 from covey.kernels.maximum.objective import elapsed_value
 from covey.kernels.minimum.inner_minimum import inner_minimum, inner_scratch
@@ -56,10 +56,12 @@ def play_to_capture(
     Returns
     -------
     bool
-        False if that takes too many updates.
+        False if that takes too many updates, or if `workspace.stop` is set.
     """
     contained_since = math.inf
     for _ in range(MOST_UPDATES):
+        if workspace.stop[0] != GO_ON:
+            break
         if delay > 0.0 and contains(
             state.disk[0],
             state.disk[1],

@@ -18,6 +18,8 @@ from covey.simulation import Chase, PursuerPolicy, Situation
 class CommittingPursuer(ABC):
     """A pursuer that follows sequences; its games can be played compiled."""
 
+    in_any_frame = True
+
     @abstractmethod
     def commitment(self, team: Team, disk: PursuerDisk, seed: int) -> Commitment:
         """Return the commitment with which it begins a game."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -42,6 +42,7 @@ class OpenLoop:
     """
 
     starts: int = DEFAULT_STARTS
+    in_any_frame: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
         """Check the field."""
@@ -82,6 +83,7 @@ class SearchingTeam(ReplanningTeam):
     starts: int = DEFAULT_STARTS
     restarts: int = 8
     replan_time: float = 0.0
+    in_any_frame: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
         """Check the fields."""

@@ -1,0 +1,107 @@
+"""Long calls of kernels, which an interrupt or a deadline ends early.
+
+Python serves a signal between two instructions of the main thread, so never inside a kernel. Long
+calls therefore run in other threads, while the calling thread waits where Python can serve signals.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor, wait
+from typing import TypeVar
+
+import numpy as np
+
+from covey.kernels.arrays import ABANDON, FINISH, GO_ON, Workspace
+from covey.kernels.maximum.objective import Objective
+from covey.model.validation import Ints
+from covey.planning.workspace import workspace
+
+Result = TypeVar("Result")
+
+LONG = 1e7
+"""Interceptions that take about a tenth of a second: a call with more of them is long."""
+
+_SUM = 10.0
+"""Interceptions of a minimum of sums over those of a minimum of the last capture, about."""
+
+_PATIENCE = 0.1  # seconds: on Windows a wait without a limit serves no signal
+
+
+def interceptions_of(objective: Objective, n: int) -> float:
+    """Return about how many interceptions one value of an objective of n evaders takes."""
+    if objective.expected:
+        return float(n * objective.draws.used[0])
+    return interceptions_of_minimum(n, objective.total)
+
+
+def interceptions_of_minimum(n: int, total: bool) -> float:
+    """Return the same of a minimum of the last capture or, with `total`, of the sum."""
+    return (_SUM if total else 1.0) * n * 2.0**n
+
+
+def interruptible(
+    call: Callable[[Workspace], Result],
+    size: int,
+    total: bool,
+    interceptions: float,
+    deadline: float = math.inf,
+) -> Result:
+    """Return the result of a call that takes a workspace.
+
+    Parameters
+    ----------
+    call
+        Makes a call of a kernel that reads `Workspace.stop`.
+    size, total
+        As for `workspace`.
+    interceptions
+        How many the call computes, about. A long call runs in another thread.
+    deadline
+        As for `run_all`.
+    """
+    if deadline == math.inf and interceptions <= LONG:
+        return call(workspace(size, total))
+    stop = new_flag()
+    with ThreadPoolExecutor(1) as executor:
+        return run_all(executor, [lambda: call(workspace(size, total, stop))], stop, deadline)[0]
+
+
+def new_flag() -> Ints:
+    """Return the flag of a call, (1,), see `Workspace.stop`."""
+    return np.full(1, GO_ON)
+
+
+def run_all(
+    executor: ThreadPoolExecutor,
+    calls: Sequence[Callable[[], Result]],
+    stop: Ints,
+    deadline: float = math.inf,
+) -> list[Result]:
+    """Run all calls and return their results.
+
+    Parameters
+    ----------
+    executor
+        Whose threads run the calls.
+    calls
+        Each uses a workspace with this `stop`.
+    stop
+        (1,) set to `FINISH` at the deadline, to `ABANDON` when an exception ends the wait.
+    deadline
+        By `time.perf_counter`; inf: none.
+    """
+    futures = [executor.submit(call) for call in calls]
+    try:
+        left = deadline - time.perf_counter()
+        while wait(futures, timeout=max(min(_PATIENCE, left), 0.0)).not_done:
+            left = deadline - time.perf_counter()
+            if left <= 0.0:
+                stop[0], left = FINISH, math.inf
+    except BaseException:
+        stop[0] = ABANDON
+        executor.shutdown(cancel_futures=True)
+        raise
+    return [future.result() for future in futures]
