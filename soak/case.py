@@ -26,6 +26,7 @@ SHARES = {
 }
 """How many of the games, of those that the check is meant for, get it."""
 
+
 class Case(NamedTuple):
     """A game to play, and what else is checked."""
 
@@ -87,7 +88,9 @@ def _draw_team(generator, count, length, speed):
     """Evaders alike as in the paper, or mixed over orders of magnitude, or of simple motion."""
     speeds, rates = np.full(count, 0.25), np.full(count, math.pi / 2)
     if generator.random() < 0.6:
-        speeds = players.FASTEST * 10.0 ** generator.uniform(-generator.choice([0.3, 1.0, 4.0]), 0.0, count)
+        speeds = players.FASTEST * 10.0 ** generator.uniform(
+            -generator.choice([0.3, 1.0, 4.0]), 0.0, count
+        )
         speeds[generator.random(count) < 0.1] = 0.0
         fast = generator.random(count) < 0.02
         speeds[fast] = 1.0 - 10.0 ** generator.uniform(-5.0, -1.0, fast.sum())
@@ -99,7 +102,9 @@ def _draw_team(generator, count, length, speed):
     places = generator.uniform(-0.5, 0.5, (count, 2)) * 10.0 ** -generator.exponential(0.3)
     if generator.random() < 0.05:
         places[:] = places[0]
-    shift = generator.uniform(-3.0, 3.0, 2) if generator.random() < 0.3 else 0.0
+    shift = generator.uniform(-1.0, 1.0, 2) * generator.choice(
+        [0.0, 3.0, 30.0], p=[0.7, 0.25, 0.05]
+    )
     headings = generator.uniform(-math.pi, math.pi, count)
     return covey.Team(length * (places + shift), headings, speed * speeds, speed / length * rates)
 

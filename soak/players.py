@@ -15,7 +15,6 @@ from covey.bounds import solve_two_evaders
 from covey.players import DelayedSequence, DownhillPursuer
 from soak import custom_pursuers
 
-
 FASTEST = 0.95
 """Speed of most evaders, relative to the pursuer's, at most; a few are nearly as fast as that."""
 

@@ -30,7 +30,6 @@ class Report(NamedTuple):
 
 def play_share(worker, seeds, connection, current):
     """Play seeds until they are used up, a game fails, or nobody listens any more."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent answers it
     totals, reported, failure = Totals(), time.monotonic(), None
     try:
         for seed in seeds:
@@ -56,17 +55,13 @@ def reports(first, last, workers, patience=PATIENCE):
     worker that dies, or whose game never ends, is reported as a failure of the seed that it played.
     When the generator is closed, the workers are ended.
     """
-    context = multiprocessing.get_context("spawn")
     stop = last if last is not None else 2**62
     playing = {}
+    listening = signal.signal(signal.SIGINT, signal.SIG_IGN)  # workers never hear it
     for k in range(workers):
-        ours, theirs = context.Pipe(duplex=False)
-        current = context.Value("q", first + k, lock=False)
-        share = range(first + k, stop, workers)
-        process = context.Process(target=play_share, args=(k, share, theirs, current), daemon=True)
-        process.start()
-        theirs.close()
-        playing[ours] = [k, process, current, time.monotonic()]
+        connection, *started = _start(k, range(first + k, stop, workers))
+        playing[connection] = [k, *started, time.monotonic()]
+    signal.signal(signal.SIGINT, listening)
     try:
         while playing:
             for connection in wait(list(playing), timeout=REPORT_EVERY):
@@ -85,6 +80,17 @@ def reports(first, last, workers, patience=PATIENCE):
     finally:
         for _, process, _, _ in playing.values():
             process.kill()
+
+
+def _start(worker, share):
+    """Start a process that plays a share of the seeds; return what tells of it."""
+    context = multiprocessing.get_context("spawn")
+    ours, theirs = context.Pipe(duplex=False)
+    current = context.Value("q", share.start, lock=False)
+    process = context.Process(target=play_share, args=(worker, share, theirs, current), daemon=True)
+    process.start()
+    theirs.close()
+    return ours, process, current
 
 
 def resident_megabytes():
