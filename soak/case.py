@@ -65,9 +65,9 @@ def draw(seed):
     if interpreted and count == 2 and generator.random() < 0.02:
         team, disk, sensing = players.downhill_game(team, disk)
     objective = _draw_objective(generator, count)
-    nominal = _nominal_time(team, disk) or length / speed
+    nominal = _nominal_time(team, disk) or float(length / speed)
     updates = _draw_updates(generator, interpreted, "fine" in checks)
-    update_time = nominal / updates
+    update_time = float(nominal / updates)
     situation = players.Setting(team, disk, sensing, nominal, update_time)
     evaders, pursuer = players.draw(generator, situation, interpreted)
     return Case(
@@ -93,7 +93,7 @@ def _draw_team(generator, count, length, speed):
         )
         speeds[generator.random(count) < 0.1] = 0.0
         fast = generator.random(count) < 0.02
-        speeds[fast] = 1.0 - 10.0 ** generator.uniform(-5.0, -1.0, fast.sum())
+        speeds[fast] = 1.0 - 10.0 ** generator.uniform(-4.0, -1.0, fast.sum())
         rates = 10.0 ** generator.uniform(-3.0, 3.0, count)
         rates[generator.random(count) < 0.15] = math.inf
         rates[generator.random(count) < 0.1] = 0.0

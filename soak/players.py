@@ -57,12 +57,11 @@ def draw(generator, setting, interpreted):
 
 
 def _interpreted_pursuers(setting):
-    """Those that can play: a hidden disk can't be steered."""
+    """Those that can play: a hidden disk can't be steered, delays are for hidden pursuers."""
     if is_downhill(setting):
-        return {_downhill: 1}
-    hidden = setting.sensing == "hidden"
-    kinds = INTERPRETED_PURSUERS.items()
-    return {kind: weight for kind, weight in kinds if not (hidden and kind is _roaming)}
+        return {downhill: 1}
+    other = _roaming if setting.sensing == "hidden" else _delayed
+    return {kind: weight for kind, weight in INTERPRETED_PURSUERS.items() if kind is not other}
 
 
 def pick(generator, weights):
@@ -164,6 +163,9 @@ class Afresh:
     def __init__(self, make, *arguments):
         self._make, self._arguments = make, arguments
 
+    def __repr__(self):
+        return f"{self._make.__name__}{self._arguments}"
+
     def start(self, seed):
         """Return the policy of one game."""
         return self._make(*self._arguments)
@@ -198,7 +200,7 @@ def _seed(generator):
     return int(generator.integers(2**32))
 
 
-def _downhill(generator, setting):
+def downhill(generator, setting):
     return Player("downhill", DownhillPursuer(_two_evader_value()))
 
 

@@ -48,7 +48,7 @@ def play_share(worker, seeds, connection, current):
     connection.close()
 
 
-def reports(first, last, workers, patience=PATIENCE):
+def reports(first, last, workers):
     """Yield what the workers report of the seeds from `first` to before `last`; None: no end.
 
     Worker k plays each seed whose distance from `first` leaves k when divided by `workers`. A
@@ -75,8 +75,8 @@ def reports(first, last, workers, patience=PATIENCE):
                     if process.exitcode != 0:
                         yield _lost(k, current.value, f"the worker died, exit {process.exitcode}")
             for k, _, current, heard in playing.values():
-                if time.monotonic() - heard > patience:
-                    yield _lost(k, current.value, f"no end after {patience:g} s")
+                if time.monotonic() - heard > PATIENCE:
+                    yield _lost(k, current.value, f"no end after {PATIENCE:g} s")
     finally:
         for _, process, _, _ in playing.values():
             process.kill()
