@@ -14,6 +14,8 @@ from soak import players
 
 SIZES = {1: 12, 2: 26, 3: 28, 4: 18, 5: 12, 6: 2, 7: 1, 8: 0.6, 9: 0.15, 10: 0.1, 11: 0.1, 12: 0.05}
 """Evaders in a team, and how often, in per cent."""
+SHORT = 5
+"""Evaders up to which a game may last as long as it takes; else three times its nominal time."""
 SHARES = {
     "interpreted": 0.08,  # a team or a pursuer that plays in Python, one decision at a time
     "fine": 0.02,  # some hundred updates until the last capture, instead of about ten
@@ -68,8 +70,9 @@ def draw(seed):
     nominal = _nominal_time(team, disk) or float(length / speed)
     updates = _draw_updates(generator, interpreted, "fine" in checks)
     update_time = float(nominal / updates)
-    situation = players.Setting(team, disk, sensing, nominal, update_time)
-    evaders, pursuer = players.draw(generator, situation, interpreted)
+    setting = players.Setting(team, disk, sensing, nominal, update_time)
+    evaders, pursuer = players.draw(generator, setting, interpreted)
+    to_the_end = pursuer.ends and count <= SHORT and not players.lasts(team, disk)
     return Case(
         seed,
         team,
@@ -79,7 +82,7 @@ def draw(seed):
         sensing,
         objective,
         update_time,
-        None if pursuer.ends and not players.lasts(team, disk) else 3.0 * nominal,
+        None if to_the_end else 3.0 * nominal,
         checks,
     )
 

@@ -13,6 +13,7 @@ import math
 import numpy as np
 
 import covey
+from covey.kernels.play.rules import MOST_UPDATES
 from soak.reference_flight import captures, flown, living
 
 SAMPLES = 50
@@ -172,7 +173,7 @@ def a_hidden_pursuer_is_shown_where_it_captures(game):
 
 
 def the_last_row_is_the_end(game, time_limit=math.inf):
-    """Everybody is captured, or the time is up."""
+    """Everybody is captured, or the time or the updates are used up."""
     if game.status is covey.GameStatus.ALL_CAPTURED:
         return _exactly(
             [
@@ -181,8 +182,10 @@ def the_last_row_is_the_end(game, time_limit=math.inf):
                 game.guarantees[-1] == 0.0,
             ]
         )
-    stopped = game.status is covey.GameStatus.TIME_LIMIT and math.isinf(game.survival_time)
-    return max(_exactly([stopped]), abs(game.times[-1] / time_limit - 1.0))
+    alive = _exactly([math.isinf(game.survival_time)])
+    if game.status is covey.GameStatus.UPDATE_LIMIT:
+        return max(alive, _exactly([len(game.times) == MOST_UPDATES + 1]))
+    return max(alive, abs(game.times[-1] / time_limit - 1.0))
 
 
 def errors(game, time_limit=math.inf, placed=False, samples=SAMPLES):

@@ -96,9 +96,9 @@ def promises(case, game):
     if (team.keeps_plan or team.replans) and not expected:
         found["value is kept"] = _shortfall(game.planned_value, game.value)
     if case.time_limit is None:
-        found["a fixed order comes to its end"] = _exactly(
-            game.status is covey.GameStatus.ALL_CAPTURED
-        )
+        # covey's own limit of time is one within which such a pursuer has captured everybody.
+        in_time = game.status is not covey.GameStatus.TIME_LIMIT
+        found["a fixed order comes to its end"] = _exactly(in_time)
     return found
 
 
