@@ -113,6 +113,8 @@ class Summary:
         ]
         for name, part in told["parts"].items():
             lines.append(f"  {part['seconds'] / spent:4.0%}  {name} ({part['times']} times)")
+        shares = ", ".join(f"{name} {share:.0%}" for name, share in SHARES.items())
+        lines.append(f"drawn for a share of the games: {shares}")
         lines.append(f"largest errors, of {TOLERANCE:g} allowed:")
         for name, check in told["checks"].items():
             error, seed = check["largest_error"], check["seed"]

@@ -90,8 +90,7 @@ def promises(case, game):
     if team.keeps_plan or (team.replans and last):
         found["guarantee is kept"] = _shortfall(game.guarantee, game.survival_time)
         until = game.times + game.guarantees
-        falls = _largest_fall(until)
-        found["promises never fall"] = falls / (until.max() or 1.0)
+        found["promises never fall"] = _largest_fall(until) / float(until.max() or 1.0)
     expected = isinstance(case.objective, covey.ExpectedSurvival)
     if (team.keeps_plan or team.replans) and not expected:
         found["value is kept"] = _shortfall(game.planned_value, game.value)
@@ -239,8 +238,10 @@ def _players(case):
 
 
 def _shortfall(promised, reached):
-    """How far a value stays below what was promised, relative to that."""
-    return max(0.0, (promised - reached) / promised) if promised > 0.0 else 0.0
+    """How far a value stays below what was promised, relative to that; NaN if one of them is."""
+    if promised == 0.0 or reached >= promised:
+        return 0.0
+    return float((promised - reached) / promised)
 
 
 def _difference(one, other):

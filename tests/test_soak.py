@@ -18,7 +18,7 @@ import pytest
 
 import covey
 from random_games import random_game
-from soak import case, legal_game, players, workers
+from soak import case, legal_game, players, trial, workers
 from soak.__main__ import main
 
 ROOT = Path(__file__).parents[1]
@@ -81,14 +81,14 @@ def test_a_few_dozen_games_keep_the_rules_on_any_number_of_workers(tmp_path):
     told = []
     for count in (1, 2):
         output = tmp_path / f"{count}.json"
-        run = start(output, "--first", FIRST, "--games", 60, "--workers", count)
+        run = start(output, "--first", FIRST, "--games", 40, "--workers", count)
         shown, _ = run.communicate()
         assert run.returncode == 0, shown
-        assert f"60 games from seed {FIRST}" in shown
+        assert f"40 games from seed {FIRST}" in shown
         told.append(figures(output))
     for name in ("games", "rows", "stopped_at_the_time_limit", "kinds", "checks", "failure"):
         assert told[0][name] == told[1][name]
-    assert told[0]["games"] == 60
+    assert told[0]["games"] == 40
     assert len(told[0]["memory"]["rows"][0]) == len(told[0]["memory"]["columns"])
 
 
@@ -119,6 +119,19 @@ def test_the_seed_repeats_the_failure_and_shows_the_game(monkeypatch, capsys):
     shown = capsys.readouterr().out
     assert shown.startswith("guarantee is kept: ")
     assert f"seed {seed}\nteam = covey.Team(" in shown
+
+
+@pytest.mark.parametrize("name", ["planned_value", "value"])
+def test_a_value_that_is_no_number_is_a_failure(monkeypatch, name):
+    honest = covey.simulate
+
+    def broken(*game, **settings):
+        return dataclasses.replace(honest(*game, **settings), **{name: math.nan})
+
+    monkeypatch.setattr(covey, "simulate", broken)
+    seed = next(seed for seed in range(100) if case.draw(seed).evaders.keeps_plan)
+    with pytest.raises(trial.ViolationError):
+        trial.play(seed)
 
 
 def test_an_error_in_a_game_is_a_failure_of_its_seed(monkeypatch, capsys):
@@ -211,6 +224,15 @@ def changed(game, name, index, by):
 def test_a_record_that_breaks_a_rule_is_found(game, name, index, by, check):
     assert max(legal_game.errors(game).values()) < 1e-13
     assert legal_game.errors(changed(game, name, index, by))[check] > 1e-10
+
+
+def test_a_game_that_is_stopped_too_soon_is_found():
+    team, disk = random_game(np.random.default_rng(1), 3)
+    stopped = covey.simulate(team, disk, time_limit=0.1)
+    assert legal_game.errors(stopped, 0.1)["the last row is the end"] < 1e-13
+    assert legal_game.errors(stopped, 0.2)["the last row is the end"] > 0.1
+    updates = dataclasses.replace(stopped, status=covey.GameStatus.UPDATE_LIMIT)
+    assert legal_game.errors(updates, 0.1)["the last row is the end"] == math.inf
 
 
 @pytest.mark.parametrize(
