@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import multiprocessing
+import os
 import signal
 import time
 from multiprocessing.connection import wait
@@ -98,7 +99,7 @@ def resident_megabytes():
     pages = Path("/proc/self/statm")
     if not pages.exists():
         return 0.0
-    return int(pages.read_text(encoding="ascii").split()[1]) * 4096 / 2**20
+    return int(pages.read_text(encoding="ascii").split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
 
 
 def _report(worker, totals, failure):
