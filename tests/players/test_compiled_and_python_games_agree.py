@@ -14,7 +14,7 @@ import pytest
 
 import covey
 from random_games import random_game
-from simulation.same_games import differences
+from soak.same_games import differences
 
 TEAMS = [covey.OpenLoop(starts=3), covey.IterativeOpenLoop(starts=3, restarts=2)]
 MOST = 30

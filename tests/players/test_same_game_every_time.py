@@ -7,8 +7,8 @@ import pytest
 
 import covey
 from random_games import random_game
-from simulation import custom_pursuers
-from simulation.same_games import differences
+from soak import custom_pursuers
+from soak.same_games import differences
 
 
 def five(seed):

@@ -9,8 +9,8 @@ import covey
 from covey.simulation import Settings
 from covey.simulation.match import Match
 from random_games import random_game
-from simulation import custom_pursuers
-from simulation.same_games import differences
+from soak import custom_pursuers
+from soak.same_games import differences
 
 PURSUERS = [covey.CommittedPursuer(), covey.FlyingPursuer(), custom_pursuers.Unseen()]
 

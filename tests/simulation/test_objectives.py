@@ -10,8 +10,8 @@ import pytest
 
 import covey
 from random_games import random_game
-from simulation import custom_pursuers
-from simulation.same_games import differences
+from soak import custom_pursuers
+from soak.same_games import differences
 
 TOTAL = covey.TotalSurvival()
 OBJECTIVES = [TOTAL, covey.ExpectedSurvival(), covey.ExpectedSurvival(measure="last")]

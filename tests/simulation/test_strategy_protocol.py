@@ -9,7 +9,7 @@ import pytest
 
 import covey
 from random_games import random_game
-from simulation.reference_flight import alive, flown
+from soak.reference_flight import flown, living
 
 ROUNDING = 1e-12
 """Of an angle of about one."""
@@ -97,12 +97,12 @@ def test_a_situation_is_the_state_of_the_living(sensing):
     evaders = Recording(covey.IterativeOpenLoop(starts=2).start(0))
     game = covey.simulate(team, disk, evaders=evaders, sensing=sensing, update_time=0.1)
     for row, now in enumerate(evaders.situations):
-        living = alive(game, row)
-        assert list(now.evaders) == living
-        assert np.array_equal(now.team.positions, game.evader_positions[row, living])
-        assert np.array_equal(now.team.headings, game.evader_headings[row, living])
-        assert np.array_equal(now.team.speeds, team.speeds[living])
-        assert np.array_equal(now.team.turn_rates, team.turn_rates[living])
+        alive = living(game)[row]
+        assert list(now.evaders) == np.flatnonzero(alive).tolist()
+        assert np.array_equal(now.team.positions, game.evader_positions[row, alive])
+        assert np.array_equal(now.team.headings, game.evader_headings[row, alive])
+        assert np.array_equal(now.team.speeds, team.speeds[alive])
+        assert np.array_equal(now.team.turn_rates, team.turn_rates[alive])
         assert np.array_equal(now.disk.center, game.disk_centers[row])
         assert now.disk.radius == game.disk_radii[row]
         assert (now.disk.speed, now.disk.capture_radius) == (disk.speed, disk.capture_radius)
@@ -117,13 +117,13 @@ def test_the_team_is_told_its_old_plan_and_the_pursuer_the_new_one(sensing):
         team, disk, evaders=evaders, pursuer=pursuer, sensing=sensing, update_time=0.1
     )
     assert (evaders.situations[0].turns == 0.0).all()
+    _, (headings,) = flown(game, np.diff(game.times)[np.newaxis])
+    goals = (game.evader_headings + game.evader_turns)[:-1]
     for row in range(1, len(game.times) - 1):
-        living = alive(game, row)
-        _, headings = flown(game, row - 1, [game.times[row] - game.times[row - 1]])
-        goals = (game.evader_headings + game.evader_turns)[row - 1, living]
-        left = goals - np.concatenate([headings[i] for i in living])
+        alive = living(game)[row]
+        left = (goals - headings)[row - 1, alive]
         assert evaders.situations[row].turns == pytest.approx(left, abs=ROUNDING)
-        assert np.array_equal(pursuer.situations[row].turns, game.evader_turns[row, living])
+        assert np.array_equal(pursuer.situations[row].turns, game.evader_turns[row, alive])
 
 
 def test_what_a_strategy_is_told_cannot_be_changed():

@@ -9,7 +9,7 @@ import pytest
 
 import covey
 from random_games import random_game
-from simulation import custom_pursuers
+from soak import custom_pursuers
 
 BOTH = pytest.mark.parametrize("sensing", ["hidden", "visible"])
 

@@ -9,7 +9,7 @@ import pytest
 
 from covey.kernels.capture.path import PATH, set_paths
 from covey.kernels.play.first_contact import Flight, first_contact
-from simulation.reference_flight import fly
+from soak.reference_flight import fly
 
 SAMPLES = 2000
 HALVINGS = 60

@@ -10,8 +10,8 @@ import pytest
 
 import covey
 from random_games import fleeing, random_game
-from simulation import custom_pursuers
-from simulation.reference_flight import captures
+from soak import custom_pursuers
+from soak.reference_flight import captures
 
 ROUNDING = 1e-9
 REACH = 0.03

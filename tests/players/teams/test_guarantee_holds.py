@@ -10,7 +10,7 @@ import pytest
 
 import covey
 from random_games import random_game
-from simulation import custom_pursuers
+from soak import custom_pursuers
 
 ROUNDING = 1e-9
 """Of a time, in games of about unit size: what a capture may come too soon by."""

@@ -38,24 +38,24 @@ def farthest_first(seed):
     return decide
 
 
-def waiting(seed):
+def waiting(seed, hesitation=HESITATION):
     """Waits every other time, while its disk grows over evaders that it doesn't take."""
     generator = np.random.default_rng(seed)
 
     def decide(situation):
-        if situation.time < HESITATION and generator.random() < 0.5:
+        if situation.time < hesitation and generator.random() < 0.5:
             return covey.Fly()
         return covey.Chase(tuple(sorted(situation.evaders)))
 
     return decide
 
 
-def roaming(seed):
+def roaming(seed, hesitation=HESITATION):
     """Flies about at random speeds and in random directions, then chases at random."""
     generator = np.random.default_rng(seed)
 
     def decide(situation):
-        if situation.time < HESITATION:
+        if situation.time < hesitation:
             speed = situation.disk.speed * generator.choice([0.5, 1.0])
             angle = generator.uniform(-math.pi, math.pi)
             return covey.Fly((speed * math.cos(angle), speed * math.sin(angle)))
@@ -72,11 +72,11 @@ def in_numerical_order(seed):
 class Unseen:
     """Roams like `roaming`, but hidden, from a place at the edge of the disk."""
 
-    def __init__(self, seed=0):
-        self.seed = seed
+    def __init__(self, seed=0, hesitation=HESITATION):
+        self.seed, self.hesitation = seed, hesitation
 
     def start(self, seed):
-        return roaming(self.seed)
+        return roaming(self.seed, self.hesitation)
 
     def place(self, disk):
         return disk.center + disk.radius * np.array([math.cos(self.seed), math.sin(self.seed)])
