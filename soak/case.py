@@ -16,6 +16,8 @@ SIZES = {1: 12, 2: 26, 3: 28, 4: 18, 5: 12, 6: 2, 7: 1, 8: 0.6, 9: 0.15, 10: 0.1
 """Evaders in a team, and how often, in per cent."""
 SHORT = 5
 """Evaders up to which a game may last as long as it takes; else three times its nominal time."""
+PLACES = [0.0, 30.0, 1e5]
+"""How far from the origin a game may be, in its own length."""
 SHARES = {
     "interpreted": 0.08,  # a team or a pursuer that plays in Python, one decision at a time
     "fine": 0.02,  # some hundred updates until the last capture, instead of about ten
@@ -63,6 +65,8 @@ def draw(seed):
     interpreted = "interpreted" in checks
     length, speed = 10.0 ** generator.uniform(-4.0, 4.0, 2)
     team, disk = _draw_team(generator, count, length, speed), _draw_disk(generator, length, speed)
+    place = generator.choice(PLACES, p=[0.7, 0.2, 0.1]) * generator.uniform(-length, length, 2)
+    team, disk = team.moved(place), disk.moved(place)
     sensing = str(generator.choice(["hidden", "visible"]))
     if interpreted and count == 2 and generator.random() < 0.02:
         team, disk, sensing = players.downhill_game(team, disk)

@@ -57,13 +57,14 @@ class DelayedSequence:
         contained_since: dict[int, float] = {}
 
         def decide(situation: Situation) -> Chase | Fly:
-            n = len(situation.evaders)
-            target, delay = self.sequence[-n], self.delays[-n]
+            order = zip(self.sequence, self.delays, strict=True)
+            ahead = [(i, delay) for i, delay in order if i in situation.evaders]
+            target, delay = ahead[0]
             disk = situation.disk
             x, y = situation.team.positions[situation.evaders.index(target)]
             if contains(disk.center[0], disk.center[1], disk.radius + disk.capture_radius, x, y):
                 contained_since.setdefault(target, situation.time)
             due = is_due(situation.time, contained_since.get(target, math.inf), delay)
-            return Chase(self.sequence[-n:]) if due else Fly()
+            return Chase(tuple(i for i, _ in ahead)) if due else Fly()
 
         return decide
