@@ -33,12 +33,13 @@ test: $(READY) ## Run the tests on all cores (ARGS='-k name' for some of them)
 	@$(BIN)/python -m covey warmup
 	$(BIN)/python -m pytest -n auto --maxprocesses 8 $(ARGS)
 
-# Python 3.11 is the one for which there are wheels of all lowest versions.
+# The lowest versions have wheels for Python 3.11, but not all for later ones.
 test-lowest: ## Run the tests with the lowest versions that pyproject.toml allows (ARGS='-k name')
 	@$(PYTHON) -m venv --clear build/lowest
 	@build/lowest/bin/python $(PINNED) -r requirements/lowest.txt
 	@build/lowest/bin/python $(COVEY)
-	COVEY_CACHE_DIR=build/lowest/cache build/lowest/bin/python -m pytest $(ARGS)
+	@build/lowest/bin/python -m covey warmup
+	build/lowest/bin/python -m pytest -n auto --maxprocesses 8 $(ARGS)
 
 lint: $(READY) ## Check format, style, types and who imports whom
 	$(BIN)/ruff format --check .
