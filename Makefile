@@ -3,23 +3,25 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
-PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
+PIP := -m pip install --quiet --disable-pip-version-check
+PINNED := $(PIP) --only-binary :all: --require-hashes
+COVEY := $(PIP) --no-deps --no-build-isolation --editable .
 
 .DEFAULT_GOAL := help
-.PHONY: help install paper test lint format wheel check-package bench accounting soak clean
+.PHONY: help install paper test test-lowest lint format wheel check-package bench accounting soak pins clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
 
 install: $(READY) ## Set up .venv (the other targets do it by themselves)
 
-# The stamp comes last, so a set-up that was broken off is started again. pip knows --group since 25.1.
-$(READY): pyproject.toml constraints.txt
+# The stamp comes last, so a set-up that was broken off is started again.
+$(READY): pyproject.toml requirements/develop.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "covey needs Python 3.11 or later, and $(PYTHON) is " + sys.version.split()[0] + ". Name another: make PYTHON=python3.12")'
-	@echo "Setting up $(VENV): about a minute, and only when pyproject.toml or constraints.txt has changed"
+	@echo "Setting up $(VENV): about a minute, and only when pyproject.toml or requirements/ has changed"
 	@$(PYTHON) -m venv $(VENV)
-	@$(PIP) --upgrade 'pip>=25.1'
-	@$(PIP) -e '.[all]' --group dev
+	@$(BIN)/python $(PINNED) -r requirements/develop.txt
+	@$(BIN)/python $(COVEY)
 	@touch $@
 
 paper: $(READY) ## Reproduce the paper's tables and figures in results/
@@ -30,6 +32,14 @@ paper: $(READY) ## Reproduce the paper's tables and figures in results/
 test: $(READY) ## Run the tests on all cores (ARGS='-k name' for some of them)
 	@$(BIN)/python -m covey warmup
 	$(BIN)/python -m pytest -n auto --maxprocesses 8 $(ARGS)
+
+# The lowest versions have wheels for Python 3.11, but not all for later ones.
+test-lowest: ## Run the tests with the lowest versions that pyproject.toml allows (ARGS='-k name')
+	@$(PYTHON) -m venv --clear build/lowest
+	@build/lowest/bin/python $(PINNED) -r requirements/lowest.txt
+	@build/lowest/bin/python $(COVEY)
+	@build/lowest/bin/python -m covey warmup
+	build/lowest/bin/python -m pytest -n auto --maxprocesses 8 $(ARGS)
 
 lint: $(READY) ## Check format, style, types and who imports whom
 	$(BIN)/ruff format --check .
@@ -42,7 +52,7 @@ format: $(READY) ## Format the code and mend what can be mended by rule
 	$(BIN)/ruff format .
 
 wheel: $(READY) ## Build a wheel with the compiled kernels inside (PLATFORM=all for every platform)
-	@$(PIP) -e '.[build]'
+	@$(BIN)/python $(PINNED) -r requirements/wheel.txt
 	$(BIN)/python packaging/wheels.py $(PLATFORM)
 
 bench: $(READY) ## Measure speed; never a part of the tests
@@ -57,6 +67,16 @@ soak: $(READY) ## Play random games against the rules (HOURS=1; SEED=... repeats
 
 check-package: $(READY) ## Build the package, install it in an empty environment and use it there
 	$(BIN)/python packaging/check_installed.py
+
+# Versions that still fit stay as they are, but the lowest, which follow from pyproject.toml.
+COMPILE := build/pins/bin/uv pip compile --universal --generate-hashes --no-annotate --quiet --custom-compile-command 'make pins'
+pins: ## Write requirements/, the versions and hashes that are installed (ARGS=--upgrade for the newest)
+	@$(PYTHON) -m venv --clear build/pins
+	@build/pins/bin/python $(PINNED) -r requirements/pins.txt
+	$(COMPILE) pyproject.toml --extra all --group dev $(ARGS) --output-file requirements/develop.txt
+	$(COMPILE) pyproject.toml --extra all --group dev --resolution lowest-direct --upgrade --output-file requirements/lowest.txt
+	$(COMPILE) --group wheel $(ARGS) --output-file requirements/wheel.txt
+	$(COMPILE) --group pins $(ARGS) --output-file requirements/pins.txt
 
 clean: ## Remove the environment and all caches, but no results
 	rm -rf $(VENV) build dist .benchmarks .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache

@@ -23,6 +23,7 @@ from pathlib import Path
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 SOURCES = CHECKOUT / "src" / "covey"
+PINS = CHECKOUT / "requirements" / "develop.txt"
 COPY = "import shutil, covey.studies as s; shutil.copyfile(s.example_path('fig4'), 'fig4.toml')"
 PLAN = ["plan", "fig3", "--json"]
 
@@ -31,14 +32,15 @@ class Environment:
     """An environment with nothing but the wheel in it, and a folder of its own to work in."""
 
     def __init__(self, folder: Path, wheel: Path) -> None:
-        venv.create(folder, with_pip=True)
+        venv.create(folder)
+        self.folder = folder
         self.programs = Path(sysconfig.get_path("scripts", "venv", vars={"base": str(folder)}))
         self.work = folder / "work"
         self.work.mkdir()
         # Only what was installed is found.
         self.variables = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
-        exact = ["-c", str(CHECKOUT / "constraints.txt")]
-        self.run("python", "-m", "pip", "install", "--no-compile", *exact, f"{wheel}[web]")
+        self.pip("install", "--no-compile", "--no-deps", str(wheel))
+        self.pip("install", "--no-compile", "--constraint", str(PINS), "covey[web]")
 
     def command(self, program: str, *arguments: str) -> list[str]:
         """Return the words that run a program of the environment."""
@@ -46,15 +48,23 @@ class Environment:
 
     def run(self, program: str, *arguments: str) -> subprocess.CompletedProcess[str]:
         """Run a program of the environment in its folder."""
+        return self._succeed(self.command(program, *arguments))
+
+    def pip(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        """Run the checkout's pip on the environment: it is one that keeps to hashes."""
+        pip = [sys.executable, "-m", "pip", "--python"]
+        return self._succeed([*pip, str(self.folder), *arguments])
+
+    def _succeed(self, command: list[str]) -> subprocess.CompletedProcess[str]:
         done = subprocess.run(
-            self.command(program, *arguments),
+            command,
             cwd=self.work,
             env=self.variables,
             capture_output=True,
             encoding="utf-8",
             check=False,
         )
-        require(done.returncode == 0, f"{program} {' '.join(arguments)} failed:\n{done.stderr}")
+        require(done.returncode == 0, f"{' '.join(command)} failed:\n{done.stderr}")
         return done
 
 
@@ -66,7 +76,8 @@ def require(holds: bool, what: str) -> None:
 
 def build(folder: Path) -> Path:
     """Build the source distribution, and the wheel from it; check and return the wheel."""
-    command = [sys.executable, "-m", "build", "--outdir", str(folder), str(CHECKOUT)]
+    build = [sys.executable, "-m", "build", "--no-isolation"]
+    command = [*build, "--outdir", str(folder), str(CHECKOUT)]
     done = subprocess.run(command, capture_output=True, encoding="utf-8", check=False)
     require(done.returncode == 0, f"the package can't be built:\n{done.stdout}{done.stderr}")
     (source,), (wheel,) = folder.glob("*.tar.gz"), folder.glob("*.whl")
@@ -131,7 +142,7 @@ def check_page(installed: Environment) -> None:
 
 def check_compiler(installed: Environment) -> None:
     """Check that a wheel with the compiled kernels inside came without the compiler."""
-    found = installed.run("python", "-m", "pip", "list", "--format=freeze").stdout
+    found = installed.pip("list", "--format=freeze").stdout
     require("numba" not in found and "llvmlite" not in found, "the compiler was installed")
 
 

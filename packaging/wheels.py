@@ -55,7 +55,8 @@ def _build_wheel(name: str, libraries: Path) -> Path:
         "COVEY_WHEEL_LIBRARIES": str(libraries),
         "COVEY_WHEEL_TAG": f"py3-none-{PLATFORMS[name].wheel_tag}",
     }
-    command = [sys.executable, "-m", "build", "--wheel", "--outdir", str(DIST), str(CHECKOUT)]
+    build = [sys.executable, "-m", "build", "--no-isolation", "--wheel"]
+    command = [*build, "--outdir", str(DIST), str(CHECKOUT)]
     subprocess.run(command, env={**os.environ, **settings}, check=True, stdout=subprocess.PIPE)
     (wheel,) = DIST.glob(f"*-{PLATFORMS[name].wheel_tag}.whl")
     return wheel

@@ -8,6 +8,8 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from packaging.requirements import Requirement
+from packaging.version import Version
 
 from covey.scenarios import load_scenario
 from covey.studies import read_study
@@ -17,6 +19,35 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 
 ADDED_BY_HATCHLING = {"pyproject.toml", "README.md", "LICENSE"}
 """What hatchling reads, it also takes into the source distribution."""
+
+EXTRAS = PROJECT["project"]["optional-dependencies"]
+GROUPS = PROJECT["dependency-groups"]
+DEVELOP = [
+    *PROJECT["build-system"]["requires"],
+    *PROJECT["tool"]["hatch"]["metadata"]["hooks"]["custom"]["always"],
+    *PROJECT["tool"]["hatch"]["metadata"]["hooks"]["custom"]["compiler"],
+    *(each for extra in EXTRAS if extra != "all" for each in EXTRAS[extra]),
+    *GROUPS["dev"],
+]
+ASKED = {
+    "develop": DEVELOP,
+    "lowest": DEVELOP,
+    "wheel": GROUPS["wheel"],
+    "pins": GROUPS["pins"],
+}
+"""What pyproject.toml asks for, by the file of `requirements/` that has its versions and hashes."""
+
+PIN = re.compile(r"([a-z0-9-]+)==([\w.]+)( ; [^:/@]+)?( --hash=sha256:[0-9a-f]{64})+")
+
+
+def pins(file):
+    """Each version in a file of `requirements/` with its name; fails on any other line."""
+    text = (ROOT / "requirements" / f"{file}.txt").read_text(encoding="utf-8")
+    assert "://" not in text
+    lines = re.sub(r" *\\\n *", " ", text).splitlines()
+    found = [PIN.fullmatch(line) or line for line in lines if not line.startswith("#")]
+    assert [line for line in found if isinstance(line, str)] == []
+    return [(pin[1], Version(pin[2])) for pin in found]
 
 
 @pytest.fixture(scope="module")
@@ -41,9 +72,29 @@ def test_the_source_distribution_has_all_but_hidden_files(tracked):
 
 
 def test_the_extra_all_has_all_that_users_need():
-    extras = PROJECT["project"]["optional-dependencies"]
-    (everything,) = extras["all"]
-    assert set(re.findall(r"\w+", everything)) == {"covey", *extras} - {"all", "build"}
+    (everything,) = EXTRAS["all"]
+    assert set(re.findall(r"\w+", everything)) == {"covey", *EXTRAS} - {"all"}
+
+
+def test_all_that_is_installed_has_hashes_and_no_address():
+    files = {path.stem for path in (ROOT / "requirements").iterdir()}
+    assert files == set(ASKED)
+    assert all(pins(file) for file in files)
+
+
+@pytest.mark.parametrize("file", ASKED)
+def test_what_is_asked_for_is_pinned_within_its_bounds(file):
+    for requirement in map(Requirement, ASKED[file]):
+        versions = [version for name, version in pins(file) if name == requirement.name]
+        assert versions, f"{requirement}: make pins"
+        assert all(version in requirement.specifier for version in versions), f"{requirement}"
+
+
+def test_the_lowest_versions_that_are_tried_are_the_lowest_that_are_allowed():
+    tried = dict(pins("lowest"))
+    for requirement in map(Requirement, DEVELOP):
+        (bound,) = (each.version for each in requirement.specifier if each.operator == ">=")
+        assert tried[requirement.name] == Version(bound), f"{requirement}: make pins"
 
 
 @pytest.mark.parametrize(
