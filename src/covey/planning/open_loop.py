@@ -18,7 +18,13 @@ from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, Pu
 from covey.model.angles import wrap_angle
 from covey.model.validation import Floats, frozen_array, number, read_only, whole_number
 from covey.planning.compiled_objective import checked_objective, compiled_objective
-from covey.planning.guarantee import about_center, check_game, guaranteed_survival, pursuit_of
+from covey.planning.guarantee import (
+    about_center,
+    check_game,
+    guaranteed_survival,
+    pursuit_of,
+    value_of_plan,
+)
 from covey.planning.multistart import NONE, Ascents, Search
 
 DEFAULT_STARTS = 32
@@ -56,7 +62,7 @@ class Plan:
         (N,) headings φ after the turn, radians in [-π, π].
     survival_time : float
         Guaranteed against any pursuer in the disk: the exact minimum over all capture sequences at
-        these turns, whatever the search did.
+        these turns, computed again after the search, from the turns alone.
     objective : LastCapture or TotalSurvival or ExpectedSurvival
         What the plan makes large.
     value : float
@@ -212,15 +218,17 @@ Weighted = list[tuple[tuple[int, ...], float]]
 def _plan_of(
     team: Team, disk: PursuerDisk, objective: Objective, best: Ascents, critical: Weighted
 ) -> Plan:
-    turns, survival_time = best.iterate.turns, best.value
+    turns = best.iterate.turns
+    # What the search found is computed again from the turns alone.
+    survival_time = value = guaranteed_survival(team, disk, turns).time
     if not isinstance(objective, LastCapture):
-        survival_time = guaranteed_survival(team, disk, turns).time
+        value = value_of_plan(team, disk, turns, objective)
     return Plan(
         turns=read_only(turns),
         goal_headings=read_only(wrap_angle(team.headings + turns)),
         survival_time=survival_time,
         objective=objective,
-        value=best.value,
+        value=value,
         critical_sequences=tuple(sequence for sequence, _ in critical),
         weights=tuple(weight for _, weight in critical),
         status=_STATUS[best.status] if best.in_time else PlanStatus.TIME_LIMIT,
