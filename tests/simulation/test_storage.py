@@ -18,7 +18,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import covey
-from covey.simulation.storage import FORMAT, _checksum, is_parquet, whole_file
+from covey.simulation.files import check_writable, whole_file
+from covey.simulation.storage import FORMAT, _checksum, is_parquet
 from random_games import extent, games
 
 
@@ -121,12 +122,38 @@ def test_other_readers_find_one_number_a_column_and_strict_json(game, saved):
     assert told["team"]["turn_rates"] == [{"float": "inf"}, 1.0]
 
 
-def test_a_file_is_replaced_and_folders_are_made(game, tmp_path):
-    path = tmp_path / "new" / "folder" / "game.parquet"
+def test_a_file_is_replaced(game, tmp_path):
+    path = tmp_path / "game.parquet"
     covey.save_game(game, path)
     covey.save_game(dataclasses.replace(game, seed=5), path)
     assert covey.load_game(path).seed == 5
-    assert list(path.parent.iterdir()) == [path]
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_missing_folder_is_not_made_but_told(game, tmp_path):
+    folder = tmp_path / "new" / "folder"
+    with pytest.raises(FileNotFoundError, match="can't be written: there is no folder") as caught:
+        covey.save_game(game, folder / "game.parquet")
+    assert caught.value.strerror.endswith(f"{folder}; make it first: mkdir -p {folder}")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", ["a" * 300, "none/a", "file/a"])
+def test_what_cannot_be_written_is_known_before(name, tmp_path):
+    (tmp_path / "file").write_bytes(b"")
+    path = tmp_path / name
+    with pytest.raises(OSError, match="can't be written: ") as before:
+        check_writable(path)
+    with pytest.raises(OSError, match="can't be written: ") as then, whole_file(path):
+        pass
+    assert str(before.value) == str(then.value)
+
+
+def test_the_check_leaves_nothing(tmp_path):
+    (tmp_path / "there").write_bytes(b"old")
+    for name in ("there", "new"):
+        check_writable(tmp_path / name)
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == {"there": b"old"}
 
 
 def test_a_new_file_may_be_read_by_whom_the_user_lets(tmp_path):

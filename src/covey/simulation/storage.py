@@ -13,10 +13,8 @@ from __future__ import annotations
 import json
 import math
 import os
-import secrets
 import zlib
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Mapping
 from dataclasses import fields
 from importlib.metadata import version
 from pathlib import Path
@@ -26,6 +24,7 @@ import numpy as np
 
 from covey.model import InputError, LastCapture, PursuerDisk, Team
 from covey.simulation.consistency import require_consistent
+from covey.simulation.files import whole_file
 from covey.simulation.record import Game, GameStatus
 from covey.simulation.time_series import time_series
 
@@ -40,8 +39,8 @@ _PARQUET_BEGINS = b"PAR1"
 def save_game(game: Game, path: str | os.PathLike[str]) -> None:
     """Save the record of a game as one Parquet file.
 
-    The file is written whole or not at all, and replaces one of the same name. Missing folders are
-    made.
+    The file is written whole or not at all, and replaces one of the same name. Its folder must be
+    there.
 
     Parameters
     ----------
@@ -144,27 +143,6 @@ def is_parquet(path: str | os.PathLike[str]) -> bool:
             return file.read(len(_PARQUET_BEGINS)) == _PARQUET_BEGINS
     except OSError:
         return False
-
-
-@contextmanager
-def whole_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
-    """Open a file for writing that appears under its name when it is complete, or never."""
-    target = Path(path)
-    part = target.with_name(f".{target.name}.{secrets.token_hex(4)}.part")
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        with part.open("xb") as file:
-            yield file
-            file.flush()
-            os.fsync(file.fileno())  # or a power cut could leave the name without the content
-        part.replace(target)
-    except OSError as error:
-        # The error names the caller's file, not the part.
-        reason = error.strerror or str(error)
-        raise OSError(error.errno, f"can't be written: {reason}", str(target)) from error
-    finally:
-        with suppress(OSError):  # the part became the file, or was never made
-            part.unlink()
 
 
 class _NotARecordError(Exception):
