@@ -4,9 +4,9 @@ import itertools
 
 import numpy as np
 import pytest
-from tests.random_games import random_game
 
 import covey
+from random_games import random_game
 
 SPEEDS = np.array([0.0, 1e-6, 0.5, 0.99, 0.999999])  # over the pursuer's
 TURN_RATES = np.array([0.0, 1e-9, 1.0, 50.0, np.inf])  # radians, while the pursuer crosses the team

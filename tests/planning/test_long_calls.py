@@ -7,11 +7,11 @@ import sys
 
 import numpy as np
 import pytest
-from tests.random_games import random_game
 
 import covey
 from covey.planning.long_calls import LONG, interruptible, new_flag
 from covey.planning.workspace import workspace
+from random_games import random_game
 
 DAYS = {
     "a plan for twenty": "covey.plan(team(20), disk, starts=10**4)",
