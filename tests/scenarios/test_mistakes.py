@@ -254,7 +254,7 @@ def test_a_file_that_is_no_toml_is_refused(content, wanted, tmp_path):
 
 
 def test_a_file_that_is_not_there_and_a_folder_are_refused(tmp_path):
-    with pytest.raises(covey.InputError, match=r"none.toml: can't be read: No such file"):
+    with pytest.raises(covey.InputError, match=r"none.toml: no such file, and no scenario of"):
         load_scenario(tmp_path / "none.toml")
     with pytest.raises(covey.InputError, match="can't be read: "):
         load_scenario(tmp_path)

@@ -25,6 +25,7 @@ from covey.players.compiled import (
     initial_game,
     team_is_built_in,
 )
+from covey.players.names import team_strategy
 from covey.players.pursuers.delayed import DelayedSequence
 from covey.players.teams.open_loop import IterativeOpenLoop
 from covey.simulation import Settings, TeamPolicy, TeamStrategy, play
@@ -84,7 +85,7 @@ def worst_case(
     team: Team,
     disk: PursuerDisk,
     *,
-    evaders: TeamStrategy | TeamPolicy = IterativeOpenLoop(),  # noqa: B008 frozen
+    evaders: TeamStrategy | TeamPolicy | str = IterativeOpenLoop(),  # noqa: B008 frozen
     delays: Sequence[float] = (0.0,),
     update_time: float = 0.01,
     seed: int = 0,
@@ -127,6 +128,7 @@ def worst_case(
     strategy may have a memory, so it plays every sequence from the start: N! games, times the
     delays. It must play the same game whenever it is started with the same seed.
     """
+    evaders = team_strategy(evaders)
     checked = checked_settings(team, disk, "hidden", update_time, seed, None, objective)
     settings = replace(checked, time_limit=math.inf)  # captures that wait may come after it
     waits = tuple(dict.fromkeys(number("delays", delay, low=0.0) for delay in delays))

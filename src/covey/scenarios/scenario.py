@@ -9,7 +9,8 @@ from covey.bounds import Bracket, bracket
 from covey.model import LastCapture, Objective, PursuerDisk, Team
 from covey.planning import Plan, plan
 from covey.players import IterativeOpenLoop, OpenLoop, WorstCase, simulate, worst_case
-from covey.simulation import Game, PursuerStrategy, TeamStrategy
+from covey.players.names import team_strategy
+from covey.simulation import Game, PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStrategy
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,7 +22,7 @@ class Scenario:
     team, disk : Team, PursuerDisk
         The state at time 0.
     evaders, pursuer
-        Strategies.
+        Strategies, as `simulate` takes them.
     sensing : str
         "hidden" or "visible".
     update_time : float
@@ -36,8 +37,8 @@ class Scenario:
 
     team: Team
     disk: PursuerDisk
-    evaders: TeamStrategy
-    pursuer: PursuerStrategy
+    evaders: TeamStrategy | TeamPolicy | str
+    pursuer: PursuerStrategy | PursuerPolicy | str
     sensing: str
     update_time: float
     seed: int
@@ -87,6 +88,7 @@ class Scenario:
     @property
     def _starts(self) -> int | None:
         """Starts of the search for the plan, which strategies that fly none don't name."""
-        if isinstance(self.evaders, OpenLoop | IterativeOpenLoop):
-            return self.evaders.starts
+        evaders = team_strategy(self.evaders)
+        if isinstance(evaders, OpenLoop | IterativeOpenLoop):
+            return evaders.starts
         return None
