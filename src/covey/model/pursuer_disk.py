@@ -8,13 +8,17 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.model.angles import away_from
+from covey.model.display import html_table, one_line
 from covey.model.team import Team
 from covey.model.validation import Floats, InputError, checked_array, frozen_array, number
+from covey.model.value import Value
 
 
 @dataclass(frozen=True, eq=False)
-class PursuerDisk:
+class PursuerDisk(Value):
     """A pursuer of simple motion that is somewhere in a closed disk: D(x_c, r) of the paper.
+
+    Disks with equal numbers are equal, and have equal hashes.
 
     Parameters
     ----------
@@ -53,6 +57,17 @@ class PursuerDisk:
             ("capture_radius", number("capture_radius", capture_radius, low=0.0)),
         ):
             object.__setattr__(self, name, value)
+
+    def __repr__(self) -> str:
+        """Return all numbers in one line."""
+        return one_line("PursuerDisk", **self._numbers())
+
+    def _repr_html_(self) -> str:
+        numbers = {name.replace("_", " "): [value] for name, value in self._numbers().items()}
+        return html_table("PursuerDisk", numbers)
+
+    def _numbers(self) -> dict[str, object]:
+        return {**vars(self), "center": tuple(self.center.tolist())}
 
     @classmethod
     def last_seen(

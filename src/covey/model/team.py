@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from covey.model.display import html_table, one_line, spread
 from covey.model.validation import (
     LARGEST,
     Floats,
@@ -19,13 +20,16 @@ from covey.model.validation import (
     one_each,
     read_only,
 )
+from covey.model.value import Value
 
 DEFAULT_TURN_RATE = math.pi / 2
 
 
 @dataclass(frozen=True, eq=False)
-class Team:
+class Team(Value):
     """A team of N evaders, each flying at constant speed with a limited turning rate.
+
+    Teams with equal numbers are equal, and have equal hashes.
 
     Parameters
     ----------
@@ -85,6 +89,17 @@ class Team:
     def __len__(self) -> int:
         """Number of evaders."""
         return len(self.headings)
+
+    def __repr__(self) -> str:
+        """Return how many evaders there are, how fast, and how agile, in one line."""
+        evaders = "1 evader" if len(self) == 1 else f"{len(self)} evaders"
+        rates = {"speeds": spread(self.speeds), "turn_rates": spread(self.turn_rates)}
+        return one_line("Team", evaders, **rates)
+
+    def _repr_html_(self) -> str:
+        names = ("x", "y", "heading", "speed", "turn rate")
+        columns = dict(zip(names, self.as_rows().T.tolist(), strict=True))
+        return html_table(repr(self), {"evader": range(len(self)), **columns})
 
     def take(self, rows: Ints) -> Team:
         """Return the team of the evaders `rows` (M,) alone, in that order."""

@@ -24,6 +24,7 @@ from covey.model import (
     Team,
     TotalSurvival,
 )
+from covey.model.display import html_table
 from covey.model.validation import Floats, checked_array, permutation, require_kind
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.long_calls import interceptions_of_minimum, interruptible
@@ -45,6 +46,9 @@ class Guarantee:
 
     time: float
     sequence: tuple[int, ...]
+
+    def _repr_html_(self) -> str:
+        return html_table("Guarantee", {"time": [self.time], "sequence": [self.sequence]})
 
 
 def pursuit_of(disk: PursuerDisk) -> Pursuit:

@@ -16,7 +16,9 @@ from covey.kernels.maximum.problem import CONVERGED, STALLED, STEPS_USED_UP, Ite
 from covey.kernels.maximum.working_set import WorkingSet, new_working_set
 from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, PursuerDisk, Team
 from covey.model.angles import wrap_angle
+from covey.model.display import html_table, one_line
 from covey.model.validation import Floats, frozen_array, number, read_only, whole_number
+from covey.model.value import Value
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.guarantee import (
     about_center,
@@ -51,7 +53,7 @@ _STATUS = {
 
 
 @dataclass(frozen=True, eq=False)
-class Plan:
+class Plan(Value):
     """A plan for the whole team, and what it guarantees.
 
     Attributes
@@ -90,6 +92,26 @@ class Plan:
     starts: int
     steps: int
     interceptions: int
+
+    def __repr__(self) -> str:
+        """Return what is guaranteed, and how the search ended, in one line."""
+        value = {} if isinstance(self.objective, LastCapture) else {"value": self.value}
+        return one_line(
+            "Plan",
+            survival_time=self.survival_time,
+            **value,
+            evaders=len(self.turns),
+            critical_sequences=len(self.critical_sequences),
+            status=self.status,
+        )
+
+    def _repr_html_(self) -> str:
+        columns = {
+            "evader": range(len(self.turns)),
+            "turn": self.turns.tolist(),
+            "goal heading": self.goal_headings.tolist(),
+        }
+        return html_table(repr(self), columns)
 
 
 def plan(

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from covey.bounds import Bracket, bracket
 from covey.model import LastCapture, Objective, PursuerDisk, Team
+from covey.model.value import Value
 from covey.planning import Plan, plan
 from covey.players import IterativeOpenLoop, OpenLoop, WorstCase, simulate, worst_case
 from covey.players.names import team_strategy
@@ -14,7 +15,7 @@ from covey.simulation import Game, PursuerPolicy, PursuerStrategy, TeamPolicy, T
 
 
 @dataclass(frozen=True, eq=False)
-class Scenario:
+class Scenario(Value):
     """All that `plan` and `simulate` need.
 
     Attributes

@@ -13,6 +13,7 @@ import numpy as np
 from covey.model import LastCapture
 from covey.model.team import DEFAULT_TURN_RATE
 from covey.model.validation import InputError
+from covey.model.value import Value
 from covey.players import CommittedPursuer, IterativeOpenLoop
 from covey.scenarios.samplers import Sampler, Square
 from covey.simulation.strategy import description
@@ -21,7 +22,7 @@ from covey.studies.design.start_table import FromFile
 
 
 @dataclass(frozen=True, eq=False)
-class Study:
+class Study(Value):
     """Many games: every start in every case of a grid, so that all comparisons are paired.
 
     The first four are single values. Each of the others is a value or a sequence of values, and
