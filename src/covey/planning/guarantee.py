@@ -151,7 +151,7 @@ def guaranteed_survival(
     disk: PursuerDisk,
     turns: npt.ArrayLike,
     *,
-    objective: LastCapture | TotalSurvival = LastCapture(),  # noqa: B008 frozen
+    objective: LastCapture | TotalSurvival | str = LastCapture(),  # noqa: B008 frozen
 ) -> Guarantee:
     """Survival time that a plan guarantees: the exact minimum over all capture sequences.
 
@@ -162,7 +162,8 @@ def guaranteed_survival(
     turns
         (N,) signed turns δ, radians.
     objective
-        What is guaranteed: the last capture, or `TotalSurvival()`, the sum of all survival times.
+        What is guaranteed: the last capture, or `TotalSurvival()`, the sum of all survival times;
+        or the name of either in scenario files.
 
     Returns
     -------
@@ -182,14 +183,15 @@ def guaranteed_survival(
     the sum so far, docs/decisions/0009; memory 40 N 2^N bytes.
     """
     check_game(team, disk)
-    if isinstance(objective, ExpectedSurvival):
+    chosen = checked_objective(objective)
+    if isinstance(chosen, ExpectedSurvival):
         raise InputError(
             "objective: expected LastCapture() or TotalSurvival(), got an expectation, which "
             "guarantees nothing; expected_survival computes it"
         )
     team, disk = about_center(team, disk)
     n = len(team)
-    total = checked_objective(objective).measure == "total"
+    total = chosen.measure == "total"
     checked, sequence = checked_array("turns", turns, (n,)), np.empty(n, np.int64)
 
     def least(scratch: Workspace) -> float:

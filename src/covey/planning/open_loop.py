@@ -118,7 +118,7 @@ def plan(
     team: Team,
     disk: PursuerDisk,
     *,
-    objective: Objective = LastCapture(),  # noqa: B008 frozen
+    objective: Objective | str = LastCapture(),  # noqa: B008 frozen
     seed: int = 0,
     starts: int | None = None,
     tolerance: float = DEFAULT_TOLERANCE,
@@ -134,7 +134,8 @@ def plan(
     objective
         What is made large: by default the last capture, guaranteed; `TotalSurvival()`, the sum of
         all survival times, guaranteed; `ExpectedSurvival(...)`, the expected value of either over a
-        pursuer that draws its sequence.
+        pursuer that draws its sequence. A name as in scenario files is the objective with its
+        defaults.
     seed
         Seed of the random starts. The same call gives the same plan, bit for bit.
     starts
@@ -180,8 +181,8 @@ def plan(
     n = len(team)
     starts = default_starts(n) if starts is None else whole_number("starts", starts, low=1)
     deadline = math.inf if time_limit is None else time.perf_counter() + time_limit
-    compiled = compiled_objective(checked_objective(objective), n)
-    problem = Problem(team.as_rows(), pursuit_of(disk), compiled)
+    objective = checked_objective(objective)
+    problem = Problem(team.as_rows(), pursuit_of(disk), compiled_objective(objective, n))
     warm = None if warm_start is None else _iterate_of(warm_start, team)
     guesses = starts - (warm is not None)
     search = Search(problem, tolerance, guess_uniforms(seed, guesses, n), deadline)

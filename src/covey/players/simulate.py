@@ -36,7 +36,7 @@ def simulate(
     update_time: float = 0.01,
     seed: int = 0,
     time_limit: float | None = None,
-    objective: Objective = LastCapture(),  # noqa: B008 frozen
+    objective: Objective | str = LastCapture(),  # noqa: B008 frozen
 ) -> Game:
     """Play one game and return its record.
 
@@ -59,8 +59,8 @@ def simulate(
         Time at which a game is stopped. None: the time by which a pursuer that keeps to any one
         sequence has captured everybody, whatever the team does.
     objective
-        What the team maximises and the pursuer minimises. These strategies use the objective:
-        `OpenLoop`, `IterativeOpenLoop` and `ConstantHeading` (see `covey.plan`),
+        What the team maximises and the pursuer minimises, as `covey.plan` takes it. These
+        strategies use the objective: `OpenLoop`, `IterativeOpenLoop`, `ConstantHeading`,
         `CommittedPursuer`, `UncommittedPursuer` and `FlyingPursuer`. A pursuer minimises what is
         measured, not its expectation.
 
@@ -89,7 +89,7 @@ def survival(
     update_time: float = 0.01,
     seed: int = 0,
     time_limit: float | None = None,
-    objective: Objective = LastCapture(),  # noqa: B008 frozen
+    objective: Objective | str = LastCapture(),  # noqa: B008 frozen
 ) -> Outcome:
     """Play the game that `simulate` plays, to the last bit, and keep no record of its course.
 

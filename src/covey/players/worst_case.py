@@ -89,7 +89,7 @@ def worst_case(
     delays: Sequence[float] = (0.0,),
     update_time: float = 0.01,
     seed: int = 0,
-    objective: Objective = LastCapture(),  # noqa: B008 frozen
+    objective: Objective | str = LastCapture(),  # noqa: B008 frozen
 ) -> WorstCase:
     """Find the capture sequence by which a hidden pursuer ends a team's survival earliest.
 
@@ -140,11 +140,11 @@ def worst_case(
         worst, flights = tree.worst, tree.flights
     else:
         games = [*_all_games(team, disk, evaders, waits, settings)]
-        worst = min(games, key=lambda captures: _value(captures, objective))
+        worst = min(games, key=lambda captures: _value(captures, settings.objective))
         flights = len(games) * len(team)
     return WorstCase(
         survival_time=worst[-1].time,
-        value=_value(worst, objective),
+        value=_value(worst, settings.objective),
         sequence=tuple(capture.evader for capture in worst),
         capture_times=tuple(capture.time for capture in worst),
         delays=tuple(capture.delay for capture in worst),

@@ -23,7 +23,7 @@ class Scenario(Value):
     team, disk : Team, PursuerDisk
         The state at time 0.
     evaders, pursuer
-        Strategies, as `simulate` takes them.
+        Strategies, by value or by name; see `simulate`.
     sensing : str
         "hidden" or "visible".
     update_time : float
@@ -44,7 +44,7 @@ class Scenario(Value):
     update_time: float
     seed: int
     time_limit: float | None
-    objective: Objective = LastCapture()  # noqa: RUF009 frozen
+    objective: Objective | str = LastCapture()  # noqa: RUF009 frozen
 
     def plan(self) -> Plan:
         """Return the open-loop plan, with which a team that flies one begins the game."""

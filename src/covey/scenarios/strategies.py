@@ -16,8 +16,7 @@ from typing import Any, Literal
 from pydantic import GetCoreSchemaHandler, ValidationError, create_model
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
 
-from covey.model import ExpectedSurvival, LastCapture, TotalSurvival
-from covey.model.objectives import MEASURES
+from covey.model import objectives
 from covey.players import names
 from covey.scenarios.values import (
     UNKNOWN_NAME,
@@ -62,7 +61,7 @@ _PARAMETERS: Mapping[str, Any] = {
     "sequence": Sequence,
     "sequences": Sequences,
     "weights": Weights,
-    "measure": one_of(*MEASURES),
+    "measure": one_of(*objectives.MEASURES),
 }
 """The type of each parameter of a strategy or objective."""
 
@@ -75,13 +74,7 @@ def _entries(known: Mapping[str, Callable[..., Any]]) -> dict[str, Entry]:
 
 
 EVADERS, PURSUERS = _entries(names.TEAMS), _entries(names.PURSUERS)
-OBJECTIVES = _entries(
-    {
-        "last-capture": LastCapture,
-        "total-survival": TotalSurvival,
-        "expected-survival": ExpectedSurvival,
-    }
-)
+OBJECTIVES = _entries(objectives.OBJECTIVES)
 
 
 @dataclass(frozen=True, eq=False)

@@ -116,7 +116,7 @@ def test_a_turning_radius_stands_for_the_turn_rate(tmp_path):
 
 
 def test_a_file_that_is_none_is_an_error(tmp_path):
-    with pytest.raises(InputError, match="can't be read"):
+    with pytest.raises(InputError, match="no such file, and no study of that name"):
         read_study(tmp_path / "none.toml")
     (tmp_path / "broken.toml").write_text("starts = ")
     with pytest.raises(InputError, match="expected a study in TOML"):
