@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+from functools import partial
 
+import numpy as np
 import pytest
 
 import covey
@@ -50,14 +52,25 @@ def test_an_unknown_name_is_told_with_those_that_exist(side):
         covey.simulate(TEAM, DISK, **{side: "comitted"})
 
 
-def test_an_environment_plays_against_a_name():
-    options = {"team_size": 2, "time_limit": 1.0}
-    for env in (
-        PursuerEnv(evaders="open-loop", **options),
-        TeamEnv(pursuer="nearest-first", **options),
-        PursuerVectorEnv(2, evaders="open-loop", **options),
-        TeamVectorEnv(2, pursuer="committed", **options),
-    ):
+@pytest.mark.parametrize(
+    ("make", "side", "name", "strategy"),
+    [
+        (PursuerEnv, "evaders", "open-loop", covey.OpenLoop()),
+        (TeamEnv, "pursuer", "nearest-first", covey.NearestFirst()),
+        (partial(PursuerVectorEnv, 2), "evaders", "open-loop", covey.OpenLoop()),
+        (partial(TeamVectorEnv, 2), "pursuer", "best-sequence", covey.BestSequence()),
+    ],
+)
+def test_an_environment_plays_against_a_name_as_against_its_strategy(make, side, name, strategy):
+    seen = []
+    for opponent in (name, strategy):
+        env = make(**{side: opponent}, team_size=2, time_limit=1.0)
         env.reset(seed=0)
-        _, _, ended, late, _ = env.step(0.5 * env.action_space.sample())
-        assert not (ended | late).all() if hasattr(ended, "all") else not (ended or late)
+        env.action_space.seed(0)
+        seen.append(env.step(env.action_space.sample())[0])
+    assert np.array_equal(*seen)
+
+
+def test_batches_are_played_by_strategies_that_are_compiled_also_by_name():
+    with pytest.raises(covey.InputError, match=r"plays compiled, got NearestFirst\(\)"):
+        TeamVectorEnv(2, pursuer="nearest-first")

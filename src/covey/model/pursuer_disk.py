@@ -105,7 +105,7 @@ class PursuerDisk(Value):
 
         Examples
         --------
-        >>> PursuerDisk.last_seen((0.0, 0.0), within=150.0, ago=12.0, speed=45.0).radius
+        >>> covey.PursuerDisk.last_seen((0.0, 0.0), within=150.0, ago=12.0, speed=45.0).radius
         690.0
         """
         speed = number("speed", speed, low=0.0, strictly=True)
