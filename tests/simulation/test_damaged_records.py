@@ -21,7 +21,7 @@ from covey.simulation.consistency import require_consistent
 from covey.simulation.storage import _checksum, read_game, write_game
 from players.test_any_game import PURSUERS, TEAMS
 from random_games import extent, games, random_game
-from simulation import custom_pursuers
+from soak import custom_pursuers
 
 OBJECTIVES = [covey.LastCapture(), covey.TotalSurvival(), covey.ExpectedSurvival()]
 NASTY = [
