@@ -84,7 +84,7 @@ def about_center(team: Team, disk: PursuerDisk) -> tuple[Team, PursuerDisk]:
 
     There the rounding of positions is relative to the size of the game, wherever the game is.
     """
-    if not disk.center.any():
+    if disk.center.tolist() == [0.0, 0.0]:
         return team, disk
     return team.moved(-disk.center), disk.moved(-disk.center)
 
@@ -183,18 +183,21 @@ def guaranteed_survival(
             "objective: expected LastCapture() or TotalSurvival(), got an expectation, which "
             "guarantees nothing; expected_survival computes it"
         )
-    team, disk = about_center(team, disk)
-    n = len(team)
     total = checked_objective(objective).measure == "total"
-    checked, sequence = checked_array("turns", turns, (n,)), np.empty(n, np.int64)
+    checked = checked_array("turns", turns, (len(team),))
+    return worst_sequence(*about_center(team, disk), checked, total)
+
+
+def worst_sequence(team: Team, disk: PursuerDisk, turns: Floats, total: bool) -> Guarantee:
+    """Return the guarantee of checked turns (N,); `total`: of the sum of all survival times."""
+    n, evaders, pursuit = len(team), team.as_rows(), pursuit_of(disk)
+    sequence = np.empty(n, np.int64)
 
     def least(scratch: Workspace) -> float:
-        return minimum_over_sequences(
-            team.as_rows(), checked, pursuit_of(disk), total, math.inf, sequence, scratch
-        )
+        return minimum_over_sequences(evaders, turns, pursuit, total, math.inf, sequence, scratch)
 
-    work = interceptions_of_minimum(n, total)
-    return Guarantee(interruptible(least, n, total, work), tuple(sequence.tolist()))
+    time = interruptible(least, n, total, interceptions_of_minimum(n, total))
+    return Guarantee(time, tuple(sequence.tolist()))
 
 
 def expected_survival(

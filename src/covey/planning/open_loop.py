@@ -21,9 +21,9 @@ from covey.planning.compiled_objective import checked_objective, compiled_object
 from covey.planning.guarantee import (
     about_center,
     check_game,
-    guaranteed_survival,
     pursuit_of,
     value_of_plan,
+    worst_sequence,
 )
 from covey.planning.multistart import NONE, Ascents, Search
 
@@ -220,7 +220,7 @@ def _plan_of(
 ) -> Plan:
     turns = best.iterate.turns
     # What the search found is computed again from the turns alone.
-    survival_time = value = guaranteed_survival(team, disk, turns).time
+    survival_time = value = worst_sequence(team, disk, turns, total=False).time
     if not isinstance(objective, LastCapture):
         value = value_of_plan(team, disk, turns, objective)
     return Plan(
