@@ -10,7 +10,7 @@ import os
 import sys
 from collections.abc import Callable
 
-from covey.__main__ import main
+from covey.__main__ import run
 from faults.study import RESULTS
 
 _OPERATIONS = ("open", "os.mkdir", "os.rename", "os.remove")
@@ -31,6 +31,6 @@ def strike_at(count: int, number: int) -> Callable[[str, tuple[object, ...]], No
 
 
 if __name__ == "__main__":
-    count, number, *words = sys.argv[1:]
-    sys.addaudithook(strike_at(int(count), int(number)))
-    sys.exit(main(words))
+    count, number = (int(sys.argv.pop(1)) for _ in range(2))
+    sys.addaudithook(strike_at(count, number))
+    sys.exit(run())

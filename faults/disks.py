@@ -28,9 +28,9 @@ REFUSED = 2
 
 _LIMITED = """\
 import resource, sys
-from covey.__main__ import main
-resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]), resource.RLIM_INFINITY))
-sys.exit(main(sys.argv[2:]))
+from covey.__main__ import run
+resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv.pop(1)), resource.RLIM_INFINITY))
+sys.exit(run())
 """
 
 

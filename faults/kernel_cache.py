@@ -80,7 +80,7 @@ def read_only_home(_random: Random, folder: Path) -> None:
         mount("-o", "remount,ro", str(home))
         variables = {"HOME": str(home), "XDG_CACHE_HOME": "", "COVEY_CACHE_DIR": ""}
         program = f"import sys; sys.path.insert(0, {str(home)!r}); "
-        program += "from covey.__main__ import main; sys.exit(main(sys.argv[1:]))"
+        program += "from covey.__main__ import run; sys.exit(run())"
         _require_used_from_memory(run(folder, "-c", program, *PLAN[2:], **variables))
 
 

@@ -52,7 +52,7 @@ def kill_worker(random: Random, folder: Path) -> None:
     if done.status == 0:
         require_undisturbed(folder, done)
     require_told(done, [0, 1])
-    require_goes_on(folder, 2)
+    require_goes_on(folder)
 
 
 def stop_worker(random: Random, folder: Path) -> None:
@@ -71,7 +71,7 @@ def stop_worker(random: Random, folder: Path) -> None:
     elif then is SIGINT:
         require_interrupted(done)
     require_no_trace(done)
-    require_goes_on(folder, 2)
+    require_goes_on(folder)
 
 
 def _send_to_a_worker(process: Run, random: Random, what: Signals) -> int | None:
