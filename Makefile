@@ -6,7 +6,7 @@ READY := $(VENV)/.ready
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
 
 .DEFAULT_GOAL := help
-.PHONY: help install paper test lint format wheel check-package bench accounting clean
+.PHONY: help install paper test lint format wheel check-package bench accounting faults clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
@@ -51,9 +51,12 @@ bench: $(READY) ## Measure speed; never a part of the tests
 accounting: $(READY) ## Show where the time of a plan goes, kernel by kernel
 	COVEY_JIT=1 $(BIN)/python -m pytest benchmarks/bench_accounting.py --benchmark-only $(ARGS)
 
+faults: $(READY) ## Kill, interrupt, fill up and cut, at random moments, and compare (ARGS='--seed 1')
+	$(BIN)/python -m faults $(ARGS)
+
 check-package: $(READY) ## Build the package, install it in an empty environment and use it there
 	$(BIN)/python packaging/check_installed.py
 
 clean: ## Remove the environment and all caches, but no results
 	rm -rf $(VENV) build dist .benchmarks .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
-	find src tests benchmarks -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true
+	find src tests benchmarks faults -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true

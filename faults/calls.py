@@ -10,10 +10,13 @@ import json
 import sys
 from collections.abc import Callable
 from itertools import cycle
+from typing import TypeAlias
 
 import numpy as np
 
 import covey
+
+_Strategy: TypeAlias = covey.IterativeOpenLoop | Callable[[covey.Situation], list[float]]
 
 _DISK = covey.PursuerDisk(radius=0.1)
 
@@ -37,7 +40,7 @@ def _hold(situation: covey.Situation) -> list[float]:
     return [0.0] * len(situation.evaders)
 
 
-def _game(size: int, sensing: str, evaders: object) -> object:
+def _game(size: int, sensing: str, evaders: _Strategy) -> object:
     game = covey.simulate(_team(size), _DISK, evaders=evaders, sensing=sensing, update_time=0.05)
     return game.capture_sequence.tolist(), game.capture_times.tolist(), game.guarantee
 
