@@ -103,11 +103,40 @@ def test_a_game_in_a_frame_far_away_is_consistent():
         require_consistent(covey.simulate(far, there, sensing=sensing))
 
 
+VISIBLE = RECORDS[1]
+TURNED = covey.Team(
+    VISIBLE.team.positions,
+    VISIBLE.team.headings + 0.1,
+    VISIBLE.team.speeds,
+    VISIBLE.team.turn_rates,
+)
+MOVED = covey.Team(
+    VISIBLE.team.positions + 0.1,
+    VISIBLE.team.headings,
+    VISIBLE.team.speeds,
+    VISIBLE.team.turn_rates,
+)
+
+
 def changed_row(field, index, value):
     """The second record with one number changed."""
-    array = getattr(RECORDS[1], field).copy()
+    array = getattr(VISIBLE, field).copy()
     array[index] = value
     return {field: array}
+
+
+def leaping():
+    """The second record, in which the pursuer is too far away for one row."""
+    position = VISIBLE.pursuer_positions[2] + [0.5, 0.0]
+    fields = ("pursuer_positions", "disk_centers")
+    return {name: changed_row(name, 2, position)[name] for name in fields}
+
+
+def beside():
+    """The second record, in which the pursuer is beside whom it captures last."""
+    position = VISIBLE.pursuer_positions[-1] + [1e-3, 0.0]
+    fields = ("pursuer_positions", "disk_centers")
+    return {name: changed_row(name, -1, position)[name] for name in fields}
 
 
 @pytest.mark.parametrize(
@@ -138,11 +167,28 @@ def changed_row(field, index, value):
         ({"sensing": "hidden"}, "disk_centers[1]: expected the disk"),
         ({"sensing": "blind"}, "sensing: expected one of hidden, visible, got 'blind'"),
         ({"strategies": {"evaders": {}}}, "strategies: expected both sides"),
+        ({"strategies": {"evaders": {}, "pursuer": 3}}, "pursuer: expected its name"),
+        ({"objective": {}}, "objective: expected a name"),
+        ({"team": TURNED}, "team[0]: expected the positions and headings of the first row"),
+        ({"team": MOVED}, "team[0]: expected the positions and headings of the first row"),
+        ({"planned_value": math.inf}, "planned_value: expected a finite number"),
+        ({"critical_sequences": 1.0 * VISIBLE.critical_sequences}, "critical_sequences: expected"),
+        (changed_row("critical_sequences", 0, 0), "critical_sequences[0]: expected each living"),
+        (changed_row("critical_sequences", 0, [-1, 0]), "critical_sequences: expected one evader"),
+        (changed_row("pursuer_sequences", 0, [0, 0]), "pursuer_sequences[0]: expected each living"),
+        (changed_row("pursuer_sequences", -1, [0, -1]), "pursuer_sequences[12]: expected each"),
+        (changed_row("times", 3, 0.19), "times[2]: expected a time that is not after the next"),
+        (changed_row("guarantees", -1, 0.1), "guarantees[-1]: expected 0"),
+        (changed_row("evader_turns", -1, 0.1), "evader_turns[12]: expected 0 for captured"),
+        ({"capture_sequence": np.arange(3)}, "capture_times: expected an array of shape (3,)"),
+        ({"objective": {"name": "mine"}, "value": math.inf}, "value: expected a finite number"),
+        (leaping(), "disk_centers[2]: expected a centre that the pursuer can have reached"),
+        (beside(), "pursuer_positions[12]: expected a point of the disk, within reach"),
         ({"disk": covey.PursuerDisk((0, 0), 0.2, 0.5)}, "speeds: expected every evader to be"),
     ],
 )
 def test_what_contradicts_itself_is_told(changes, message):
-    content = written(dataclasses.replace(RECORDS[1], **changes))
+    content = written(dataclasses.replace(VISIBLE, **changes))
     with pytest.raises(covey.InputError) as caught:
         read_game(content, "a.parquet")
     assert str(caught.value).startswith(f"a.parquet: it contradicts itself: {message}")

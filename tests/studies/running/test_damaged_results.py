@@ -87,7 +87,9 @@ CHANGES = {
     "team_size": 9,
     "guarantee": np.nan,
     "survival_time": 0.0,
+    "value": np.inf,
     "captured_0": 7,
+    "captured_1": 0,
     "capture_time_0": 1e9,
 }
 
@@ -96,6 +98,7 @@ CHANGES = {
 def test_a_game_that_contradicts_itself_is_refused_and_played_anew(folder, undisturbed, name):
     part = folder / "games" / "part-00001.parquet"
     table = pq.read_table(part)
+    assert table["captured_0"][3].as_py() == 0
     column = table[name].to_numpy().copy()
     column[3] = CHANGES[name]
     at, field = table.column_names.index(name), table.schema.field(name)

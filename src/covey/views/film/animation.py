@@ -10,6 +10,7 @@ import numpy as np
 
 from covey.model.validation import Floats, number
 from covey.simulation import Game
+from covey.simulation.files import check_writable
 from covey.views.film.frames import Frame, FrameRenderer
 from covey.views.film.gif import save_gif
 from covey.views.film.mp4 import require_video, save_mp4
@@ -64,6 +65,7 @@ def animate(
     length = number("seconds", seconds, low=0.0, strictly=True)
     if suffix == ".mp4":
         require_video()
+    check_writable(path)  # before all frames are drawn
     renderer, times = FrameRenderer(game), frame_times(game, length, rate)
     frames = _reported(renderer, times, progress)
     if suffix == ".gif":
