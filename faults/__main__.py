@@ -43,6 +43,8 @@ def _try_all(fault: Fault, seed: int, times: int) -> int:
                 failures += 1
                 print(f"FAILED: python -m faults --fault {name_of(fault)} --seed {each} --times 1")
                 print(error, flush=True)
+            except KeyboardInterrupt:
+                sys.exit(f"{name_of(fault)}: stopped after {each - seed} of {times} moments")
     seconds = time.monotonic() - began
     print(f"{name_of(fault):28} {times:4} moments {failures:4} failed {seconds:6.0f} s", flush=True)
     return failures
