@@ -20,8 +20,8 @@ Run: TypeAlias = "subprocess.Popen[str]"
 
 SOURCES = Path(covey.__file__).parents[1]
 _CHECKOUT = Path(__file__).parents[1]
-_LONGEST = 300.0
-"""Seconds after which a run counts as hanging."""
+_LONGEST = 1200.0
+"""Seconds after which a run counts as hanging; a busy machine compiles kernels for minutes."""
 
 _ENDING = 20.0
 """Seconds that processes get to end after the process that they serve."""
