@@ -8,9 +8,10 @@ from contextlib import suppress
 from pathlib import Path
 from random import Random
 from signal import SIGINT
+from threading import Timer
 
 from faults.outcome import Ended, require, require_interrupted, require_told
-from faults.processes import ended, running, send
+from faults.processes import LONGEST, ended, running, send
 from faults.study import (
     begin,
     begin_and_strike_at_file,
@@ -56,10 +57,15 @@ def interrupt_calls(random: Random, folder: Path) -> None:
     """A loop of plans and games gets interrupts; later calls give what they give undisturbed."""
     with running(folder, "-m", "faults.calls", str(INTERRUPTS)) as process:
         assert process.stdout is not None
-        for _ in range(INTERRUPTS):
-            require(process.stdout.readline() == "ready\n", "the loop has ended")
-            time.sleep(random.uniform(0.0, _LONGEST_WAIT))
-            send(process.pid, SIGINT)
-        done = ended(process)
+        hanging = Timer(LONGEST, process.kill)  # an interrupt that nobody notices
+        hanging.start()
+        try:
+            for _ in range(INTERRUPTS):
+                require(process.stdout.readline() == "ready\n", "an interrupt was not noticed")
+                time.sleep(random.uniform(0.0, _LONGEST_WAIT))
+                send(process.pid, SIGINT)
+            done = ended(process)
+        finally:
+            hanging.cancel()
     require_told(done, [0])
     require(done.output == "[]\n", f"calls that give something else: {done.output}")

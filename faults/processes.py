@@ -20,7 +20,7 @@ Run: TypeAlias = "subprocess.Popen[str]"
 
 SOURCES = Path(covey.__file__).parents[1]
 _CHECKOUT = Path(__file__).parents[1]
-_LONGEST = 1200.0
+LONGEST = 1200.0
 """Seconds after which a run counts as hanging; a busy machine compiles kernels for minutes."""
 
 _ENDING = 20.0
@@ -38,6 +38,9 @@ def environment(**changes: str) -> dict[str, str]:
 @contextmanager
 def running(folder: Path, *arguments: str, **variables: str) -> Iterator[Run]:
     """Start Python with arguments in a folder; at the end nothing of it is left."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        # As for all that a shell runs in the background; whatever it starts would ignore it too.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     with subprocess.Popen(
         [sys.executable, *arguments],
         cwd=folder,
@@ -58,9 +61,9 @@ def running(folder: Path, *arguments: str, **variables: str) -> Iterator[Run]:
 def ended(process: Run) -> Ended:
     """Wait for a process and for those that it started; return how it ended."""
     try:
-        output, errors = process.communicate(timeout=_LONGEST)
+        output, errors = process.communicate(timeout=LONGEST)
     except subprocess.TimeoutExpired:
-        require(False, f"still running after {_LONGEST:.0f} s")
+        require(False, f"still running after {LONGEST:.0f} s")
     wait_for(lambda: not group(process.pid), _ENDING, "processes outlive the run")
     return Ended(process.returncode, output, errors)
 
