@@ -8,7 +8,7 @@ PINNED := $(PIP) --only-binary :all: --require-hashes
 COVEY := $(PIP) --no-deps --no-build-isolation --editable .
 
 .DEFAULT_GOAL := help
-.PHONY: help install paper test test-lowest lint format wheel check-package bench accounting soak pins clean
+.PHONY: help install paper test test-lowest lint format wheel check-package bench accounting soak faults pins clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
@@ -65,6 +65,9 @@ soak: $(READY) ## Play random games against the rules (HOURS=1; SEED=... repeats
 	@$(BIN)/python -m covey warmup
 	$(BIN)/python -m soak $(if $(SEED),--seed $(SEED),--hours $(or $(HOURS),1)) $(ARGS)
 
+faults: $(READY) ## Kill, interrupt, fill up and cut, at random moments, and compare (ARGS='--seed 1')
+	$(BIN)/python -m faults $(ARGS)
+
 check-package: $(READY) ## Build the package, install it in an empty environment and use it there
 	$(BIN)/python packaging/check_installed.py
 
@@ -80,4 +83,4 @@ pins: ## Write requirements/, the versions and hashes that are installed (ARGS=-
 
 clean: ## Remove the environment and all caches, but no results
 	rm -rf $(VENV) build dist .benchmarks .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
-	find src tests benchmarks soak -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true
+	find src tests benchmarks soak faults -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import gc
+import subprocess
+import sys
 import tracemalloc
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -92,6 +95,39 @@ def test_plans_from_eight_threads_are_those_of_one():
 
     with ThreadPoolExecutor(8) as executor:
         assert list(executor.map(told, games)) == list(map(told, games))
+
+
+FIRST_CALLS = """
+from concurrent.futures import ThreadPoolExecutor
+from threading import Barrier
+import numpy as np
+import covey
+from random_games import random_game
+
+team, disk = random_game(np.random.default_rng(4), 9)
+together = Barrier(8)
+
+def plan(_):
+    together.wait()
+    plan = covey.plan(team, disk, starts=8)
+    return plan.turns.tolist(), plan.survival_time, plan.critical_sequences
+
+with ThreadPoolExecutor(8) as executor:
+    print({repr(each) for each in executor.map(plan, range(8))})
+"""
+
+
+def test_the_first_plans_of_a_process_may_come_from_eight_threads():
+    plan = covey.plan(*random_game(np.random.default_rng(4), 9), starts=8)
+    alone = plan.turns.tolist(), plan.survival_time, plan.critical_sequences
+    done = subprocess.run(
+        [sys.executable, "-c", FIRST_CALLS],
+        cwd=Path(__file__).parents[1],  # has random_games
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert (done.stdout, done.stderr) == (f"{ {repr(alone)} }\n", "")
 
 
 def test_calls_keep_no_memory():
