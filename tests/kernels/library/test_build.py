@@ -11,7 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 
 from covey.kernels.library import build
-from covey.kernels.library.cache import host_processor, object_file
+from covey.kernels.library.cache import host_processor, object_file, read_objects
 from covey.kernels.library.errors import BuildError
 
 OBJECTS = [b"first", b"second"]
@@ -43,6 +43,17 @@ def test_two_that_begin_at_once_build_once(builds, capsys):
     assert found == [[b"first", b"second"]] * 4
     assert len(builds) == 1
     assert "another process is compiling the kernels" in capsys.readouterr().err
+
+
+def test_where_kernels_cannot_be_kept_processes_that_are_started_find_them(
+    builds, tmp_path, capsys
+):
+    (tmp_path / "cache").write_text("a file, where the folder should be", encoding="utf-8")
+    assert build.built_objects() == OBJECTS
+    shared = object_file(host_processor())
+    assert shared.parent != tmp_path / "cache"
+    assert read_objects(shared) == OBJECTS
+    assert (len(builds), capsys.readouterr().err.count("can't be kept")) == (1, 1)
 
 
 BUILDER = """
