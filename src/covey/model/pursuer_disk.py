@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.model.team import Team
-from covey.model.validation import Floats, InputError, frozen_array, number
+from covey.model.validation import SMALLEST_SPEED, Floats, InputError, frozen_array, number
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,7 +22,7 @@ class PursuerDisk:
     radius
         r >= 0, a length; 0 where the pursuer's position is known.
     speed
-        v_p > 0, length per time.
+        v_p > 0 (at least 1e-50), length per time.
     capture_radius
         ρ >= 0, a length: the pursuer captures an evader within this distance. The paper's game has
         ρ = 0.
@@ -48,7 +48,7 @@ class PursuerDisk:
         for name, value in (
             ("center", frozen_array("center", center, (2,))),
             ("radius", number("radius", radius, low=0.0)),
-            ("speed", number("speed", speed, low=0.0, strictly=True)),
+            ("speed", number("speed", speed, low=SMALLEST_SPEED)),
             ("capture_radius", number("capture_radius", capture_radius, low=0.0)),
         ):
             object.__setattr__(self, name, value)

@@ -23,7 +23,7 @@ from covey.model import (
     Team,
     TotalSurvival,
 )
-from covey.model.validation import Floats, checked_array, permutation, require_kind
+from covey.model.validation import Floats, checked_array, permutation, require_kind, shown
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.workspace import workspace
 
@@ -206,7 +206,7 @@ def expected_survival(
     """
     check_players(team, disk)
     if not isinstance(objective, ExpectedSurvival):
-        raise InputError(f"objective: expected ExpectedSurvival(...), got {objective!r}")
+        raise InputError(f"objective: expected ExpectedSurvival(...), got {shown(objective)}")
     checked = checked_array("turns", turns, (len(team),))
     problem = Problem(team.as_rows(), pursuit_of(disk), compiled_objective(objective, len(team)))
     return mean_over_draws(problem, checked, workspace(len(team)))

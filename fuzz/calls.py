@@ -1,0 +1,339 @@
+"""Calls of the public API: legal ones keep their promises, others are told what was wanted."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from hypothesis import strategies as st
+
+import covey
+from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS
+from fuzz.mutation import edited
+from fuzz.oracle import (
+    refusal,
+    require,
+    require_at_least,
+    require_finite,
+    require_game,
+    require_plan,
+)
+from fuzz.target import Target
+from random_games import time_rounding
+
+LENGTHS = (1.0, 1e-9, 1e9, 1e-40, 1e40)
+TIMES = (1.0, 1e-9, 1e-3, 1e3, 1e9)
+SHARES = (0.0, 1.0, -1.0, 0.5, 1e-9, -1e-16)
+SPEEDS = (0.25, 0.0, 1e-12, 0.5, 0.9, 0.999, 0.999999, math.nextafter(1.0, 0.0))
+"""Of the pursuer's."""
+TURN_RATES = (1.0, 0.0, 1e-9, 1e-3, 1e3, 1e9, math.inf)
+HEADINGS = (0.0, math.pi, -math.pi, 1.5, 1e9, -1e9)
+RADII = (0.0, 1e-12, 0.1, 1.0, 1e6)
+UPDATES = (0.1, 1e-12, 1e-3, 1.0, 1e6)
+ODD_KINDS = {
+    "object": object(),
+    "complex": 1j,
+    "bytes": b"1",
+    "set": {1},
+    "function": lambda: None,
+    "type": float,
+    "strings": np.array(["1"]),
+    "objects": np.array([None, 1.0]),
+    "bools": np.array([True]),
+    "dates": np.array(["2020-01-01"], "datetime64[D]"),
+    "integer": np.int8(1),
+    "scalar": np.array(1.0),
+    "masked": np.ma.masked_array([1.0], [True]),
+    "iterator": iter(()),
+    "team": covey.Team([[1.0, 0.0]], [0.0]),
+    "disk": covey.PursuerDisk(),
+}
+"""What JSON has no word for, as {"kind": name}."""
+
+
+def check(content):
+    """Make the call of a JSON object: {"call": name, "team": {}, "disk": {}, "with": {}}."""
+    document = json.loads(content)
+    call = CALLS[document["call"]]
+    try:
+        team = _value(document["team"], covey.Team)
+        disk = _value(document["disk"], covey.PursuerDisk)
+        others = {key: _argument(key, value) for key, value in document["with"].items()}
+        result = _called(call.make, {"team": team, "disk": disk, **others})
+    except UnboundError:
+        return "no such parameters"
+    except covey.InputError as error:
+        return refusal(error)
+    call.check(team, disk, others, result)
+    return document["call"]
+
+
+class UnboundError(Exception):
+    """A call with parameters that the function doesn't have, which is Python's to refuse."""
+
+
+def _called(function, arguments):
+    try:
+        bound = inspect.signature(function).bind(**arguments)
+    except TypeError as error:
+        raise UnboundError from error
+    return function(*bound.args, **bound.kwargs)
+
+
+def _value(value, make=lambda **parts: parts):
+    """Return a value of any kind; a table is what `make` makes of it."""
+    if isinstance(value, list):
+        return [_value(part) for part in value]
+    if not isinstance(value, dict):
+        return value
+    if value.keys() == {"kind"} and str(value["kind"]) in ODD_KINDS:
+        return ODD_KINDS[str(value["kind"])]
+    return _called(make, {name: _value(part) for name, part in value.items()})
+
+
+def _argument(key, value):
+    """Return an argument: for a table with its name, a strategy or an objective."""
+    known = {"evaders": EVADERS, "pursuer": PURSUERS, "objective": OBJECTIVES}.get(key, {})
+    if isinstance(value, dict) and str(value.get("name")) in known:
+        parameters = {name: part for name, part in value.items() if name != "name"}
+        return _value(parameters, known[value["name"]].make)
+    return _value(value)
+
+
+def _plan(team, disk, others, plan):
+    require_plan(team, disk, plan)
+    upper = covey.plan_for_sequence(team, disk, tuple(range(len(team)))).survival_time
+    slack = time_rounding(team, disk, upper)
+    require_at_least("a known sequence against a plan", upper + slack, plan.survival_time)
+
+
+def _guarantee(team, disk, others, guarantee):
+    require_finite("guarantee", guarantee.time)
+    times = covey.capture_times(team, disk, others["turns"], guarantee.sequence)
+    measured = times.sum() if others.get("objective") == covey.TotalSurvival() else times[-1]
+    slack = len(team) * time_rounding(team, disk, times[-1])
+    require_at_least("its sequence", measured + slack, guarantee.time)
+    require_at_least("its sequence", guarantee.time + slack, measured)
+
+
+def _times(team, disk, others, times):
+    require_finite("capture times", times)
+    require((np.diff(times, prepend=0.0) >= 0.0).all(), f"capture times {times}")
+
+
+def _expected(team, disk, others, value):
+    require_finite("expected survival", value)
+    require(value >= 0.0, f"expected survival {value}")
+
+
+def _bracket(team, disk, others, bracket):
+    require_finite("bracket", bracket.lower, bracket.upper)
+    require(bracket.lower <= bracket.upper, f"{bracket.lower} > {bracket.upper}")
+    require_plan(team, disk, bracket.plan)
+
+
+def _for_sequence(team, disk, others, plan):
+    _times(team, disk, others, plan.capture_times)
+    require_finite("turns", plan.turns, plan.goal_headings)
+    require((np.abs(plan.turns) <= math.pi).all(), f"turns {plan.turns}")
+    straight = covey.capture_times(team, disk, np.zeros(len(team)), plan.sequence)[-1]
+    slack = time_rounding(team, disk, straight)
+    require_at_least("no turn at all", plan.survival_time + slack, straight)
+
+
+def _turns(team, disk, others, turns):
+    require((np.abs(turns) <= math.pi).all(), f"turns {turns}")
+
+
+def _game(team, disk, others, game):
+    require_game(game)
+
+
+def _worst(team, disk, others, worst):
+    require_finite("worst case", worst.survival_time, worst.value, worst.capture_times)
+    require(sorted(worst.sequence) == list(range(len(team))), f"sequence {worst.sequence}")
+
+
+def _turns_to(team, goal_headings, disk):  # noqa: ARG001 as all calls are made
+    return covey.turns_to(team, goal_headings)
+
+
+class Call(NamedTuple):
+    """A function, the largest team that is quick, its arguments by name, and what must hold."""
+
+    make: Callable[..., Any]
+    most: int
+    arguments: Callable[[int, float], dict[str, st.SearchStrategy[Any]]]
+    check: Callable[..., None]
+
+
+def _each(values, count):
+    return st.lists(st.sampled_from(values), min_size=count, max_size=count)
+
+
+def _angles(count):
+    return _each((0.0, math.pi, -math.pi, 1e-9, 0.5, -3.0), count)
+
+
+def _sequence(count):
+    return st.permutations(range(count)).map(list)
+
+
+def _objectives(count):
+    draws = st.lists(_sequence(count), min_size=1, max_size=3, unique_by=tuple)
+    measures = st.sampled_from(("last", "total"))
+    return st.one_of(
+        st.just({"name": "last-capture"}),
+        st.just({"name": "total-survival"}),
+        st.fixed_dictionaries(
+            {"name": st.just("expected-survival"), "sequences": draws, "measure": measures}
+        ),
+    )
+
+
+def _teams(count):
+    searches = {"starts": st.integers(1, 2), "restarts": st.integers(0, 1)}
+    planning = {"name": st.just("iterative-open-loop"), **searches}
+    constant = {"name": st.just("constant-heading"), **searches}
+    return st.one_of(
+        st.fixed_dictionaries(planning),
+        st.just({"name": "open-loop", "starts": 2}),
+        st.fixed_dictionaries(constant),
+        st.fixed_dictionaries({"name": st.just("known-sequence"), "sequence": _sequence(count)}),
+        st.sampled_from(("largest-distance", "smallest-danger", "straight-away", "hold-course")).map(
+            lambda name: {"name": name}
+        ),
+    )
+
+
+def _pursuers(count):
+    margins = st.sampled_from((0.0, 0.01, math.inf))
+    return st.one_of(
+        st.fixed_dictionaries({"name": st.just("committed"), "margin": margins}),
+        st.just({"name": "flying", "offset": [0.6, 0.8]}),
+        st.fixed_dictionaries({"name": st.just("fixed-sequence"), "sequence": _sequence(count)}),
+        st.sampled_from(("patient", "best-sequence", "random-sequence", "nearest-first")).map(
+            lambda name: {"name": name}
+        ),
+    )
+
+
+def _game_arguments(count, unit):
+    """Arguments of a game that lasts a few updates; `unit` is a time."""
+    updates = st.sampled_from(UPDATES).map(lambda share: share * unit)
+    return {
+        "evaders": _teams(count),
+        "pursuer": _pursuers(count),
+        "sensing": st.sampled_from(("hidden", "visible")),
+        "timing": updates.flatmap(
+            lambda dt: st.sampled_from((1.0, 2.5, 10.0)).map(
+                lambda most: {"update_time": dt, "time_limit": most * dt}
+            )
+        ),
+        "objective": _objectives(count),
+    }
+
+
+CALLS = {
+    "plan": Call(
+        covey.plan,
+        9,
+        lambda n, unit: {
+            "objective": _objectives(n),
+            "seed": st.integers(0, 2**70),
+            "starts": st.integers(1, 2),
+            "warm_start": st.none() | _angles(n),
+            "tolerance": st.sampled_from((1e-9, 1e-300, 1e300)),
+            "time_limit": st.sampled_from((None, 0.0, 1.0)),
+        },
+        _plan,
+    ),
+    "guaranteed_survival": Call(
+        covey.guaranteed_survival,
+        9,
+        lambda n, unit: {
+            "turns": _angles(n),
+            "objective": st.sampled_from(({"name": "last-capture"}, {"name": "total-survival"})),
+        },
+        _guarantee,
+    ),
+    "capture_times": Call(
+        covey.capture_times,
+        9,
+        lambda n, unit: {"turns": _angles(n), "sequence": _sequence(n)},
+        _times,
+    ),
+    "expected_survival": Call(
+        covey.expected_survival,
+        9,
+        lambda n, unit: {"turns": _angles(n), "objective": _objectives(n)},
+        _expected,
+    ),
+    "bracket": Call(covey.bracket, 3, lambda n, unit: {"starts": st.integers(1, 2)}, _bracket),
+    "plan_for_sequence": Call(
+        covey.plan_for_sequence, 9, lambda n, unit: {"sequence": _sequence(n)}, _for_sequence
+    ),
+    "turns_to": Call(_turns_to, 9, lambda n, unit: {"goal_headings": _each(HEADINGS, n)}, _turns),
+    "simulate": Call(covey.simulate, 5, _game_arguments, _game),
+    "worst_case": Call(
+        covey.worst_case,
+        3,
+        lambda n, unit: {
+            "update_time": st.sampled_from((0.1, 1.0, 1e6)).map(lambda share: share * unit),
+            "evaders": st.just({"name": "iterative-open-loop", "starts": 2, "restarts": 0}),
+        },
+        _worst,
+    ),
+}
+
+
+@st.composite
+def _legal(draw):
+    """Draw a call of nasty but legal values."""
+    name = draw(st.sampled_from(sorted(CALLS)))
+    call = CALLS[name]
+    n = draw(st.integers(1, call.most))
+    length, unit = draw(st.sampled_from(LENGTHS)), draw(st.sampled_from(TIMES))
+    speed = length / unit
+    shares = st.sampled_from(SHARES) | st.floats(-1.0, 1.0)
+    offset = draw(st.sampled_from((0.0, 1.0, 1e5)))
+    points = st.lists(shares.map(lambda x: length * (x + offset)), min_size=2, max_size=2)
+
+    def scaled(scale, values):
+        return st.sampled_from(values).map(lambda value: scale * value)
+
+    disk = {
+        "center": draw(points),
+        "radius": draw(scaled(length, RADII)),
+        "speed": speed,
+        "capture_radius": draw(scaled(length, RADII)),
+    }
+    team = {
+        "positions": draw(st.lists(points, min_size=n, max_size=n)),
+        "headings": draw(_each(HEADINGS, n)),
+        "speeds": [speed * share for share in draw(_each(SPEEDS, n))],
+        "turn_rates": [rate / unit for rate in draw(_each(TURN_RATES, n))],
+    }
+    arguments = draw(st.fixed_dictionaries(call.arguments(n, unit)))
+    arguments |= arguments.pop("timing", {})
+    return {"call": name, "team": team, "disk": disk, "with": arguments}
+
+
+@st.composite
+def _illegal(draw):
+    """Draw a call in which a value or two are others."""
+    call = draw(_legal())
+    odd = [{"kind": kind} for kind in ODD_KINDS]
+    part = draw(st.sampled_from(("team", "disk", "with")))
+    new = draw(edited(call[part], (), odd))
+    if part != "with" or isinstance(new, dict):
+        call[part] = new
+    return call
+
+
+_CASES = (_legal() | _illegal()).map(lambda call: json.dumps(call).encode())
+TARGET = Target("calls", ".json", _CASES, check)
