@@ -6,7 +6,7 @@ READY := $(VENV)/.ready
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
 
 .DEFAULT_GOAL := help
-.PHONY: help install paper test lint format wheel check-package bench accounting clean
+.PHONY: help install paper test lint format wheel check-package bench accounting fuzz clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
@@ -51,9 +51,13 @@ bench: $(READY) ## Measure speed; never a part of the tests
 accounting: $(READY) ## Show where the time of a plan goes, kernel by kernel
 	COVEY_JIT=1 $(BIN)/python -m pytest benchmarks/bench_accounting.py --benchmark-only $(ARGS)
 
+fuzz: $(READY) ## Search for inputs that break covey (MINUTES=10, SEED= to repeat, CASE=file)
+	@$(BIN)/python -m covey warmup
+	PYTHONPATH=tests $(BIN)/python -m fuzz $(if $(MINUTES),--minutes $(MINUTES)) $(if $(SEED),--seed $(SEED)) $(if $(CASE),--case $(CASE))
+
 check-package: $(READY) ## Build the package, install it in an empty environment and use it there
 	$(BIN)/python packaging/check_installed.py
 
 clean: ## Remove the environment and all caches, but no results
-	rm -rf $(VENV) build dist .benchmarks .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
-	find src tests benchmarks -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true
+	rm -rf $(VENV) build dist fuzz/findings .benchmarks .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
+	find src tests benchmarks fuzz -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true

@@ -46,7 +46,8 @@ def _folder_of(study):
         return {str(file.relative_to(folder)): file.read_bytes() for file in files}
 
 
-def _archive(files):
+def archive(files):
+    """Return the ZIP archive of a folder's files."""
     buffer = BytesIO()
     with ZipFile(buffer, "w") as archive:
         for name, content in files.items():
@@ -70,7 +71,7 @@ def _edited_folders(draw, files):
             files[name] = draw(parquet_cases([sound[name]], edited_table(sound[name]).map(encoded)))
         else:
             files[name] = draw(damaged(sound[name]))
-    return _archive(files)
+    return archive(files)
 
 
 FOLDER = _folder_of(

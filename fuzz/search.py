@@ -94,7 +94,7 @@ def _round(target, body, round_seed):
     seed(round_seed)(chosen(given(target.cases)(body)))()
 
 
-def main(name: str, run_seed: str, seconds: str, folder: str) -> int:
+def main(name: str, run_seed: str, seconds: str, folder: str = ".") -> int:
     """Search; write `result.json`, or leave a finding and its `error` in the folder."""
     place = Path(folder)
     try:

@@ -45,10 +45,11 @@ class PursuerDisk:
         speed: float = 1.0,
         capture_radius: float = 0.0,
     ) -> None:
+        positive = number("speed", speed, low=0.0, strictly=True)
         for name, value in (
             ("center", frozen_array("center", center, (2,))),
             ("radius", number("radius", radius, low=0.0)),
-            ("speed", number("speed", speed, low=SMALLEST_SPEED)),
+            ("speed", number("speed", positive, low=SMALLEST_SPEED)),
             ("capture_radius", number("capture_radius", capture_radius, low=0.0)),
         ):
             object.__setattr__(self, name, value)
