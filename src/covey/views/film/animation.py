@@ -37,8 +37,8 @@ def animate(
     game
         The record of a game.
     path
-        Ends in .gif, or in .mp4 where the extra `video` is installed. Missing folders are made, and
-        an existing file is replaced.
+        Ends in .gif, or in .mp4 where the extra `video` is installed. The folder must be there; an
+        existing file is replaced.
     seconds
         Length of the game on the screen.
     fps
