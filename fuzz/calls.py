@@ -13,6 +13,19 @@ from hypothesis import strategies as st
 
 import covey
 from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS
+from fuzz.legal_games import (
+    HEADINGS,
+    Size,
+    each,
+    evaders,
+    objectives,
+    pursuers,
+    sequences,
+    sizes,
+    states,
+    timing,
+    turns,
+)
 from fuzz.mutation import edited
 from fuzz.oracle import (
     refusal,
@@ -25,15 +38,7 @@ from fuzz.oracle import (
 from fuzz.target import Target
 from random_games import time_rounding
 
-LENGTHS = (1.0, 1e-9, 1e9, 1e-40, 1e40)
-TIMES = (1.0, 1e-9, 1e-3, 1e3, 1e9)
-SHARES = (0.0, 1.0, -1.0, 0.5, 1e-9, -1e-16)
-SPEEDS = (0.25, 0.0, 1e-12, 0.5, 0.9, 0.999, 0.999999, math.nextafter(1.0, 0.0))
-"""Of the pursuer's."""
-TURN_RATES = (1.0, 0.0, 1e-9, 1e-3, 1e3, 1e9, math.inf)
-HEADINGS = (0.0, math.pi, -math.pi, 1.5, 1e9, -1e9)
-RADII = (0.0, 1e-12, 0.1, 1.0, 1e6)
-UPDATES = (0.1, 1e-12, 1e-3, 1.0, 1e6)
+MOST_UPDATES = 20
 ODD_KINDS = {
     "object": object(),
     "complex": 1j,
@@ -68,6 +73,8 @@ def check(content):
         return "no such parameters"
     except covey.InputError as error:
         return refusal(error)
+    if result is None:
+        return "long by right"
     call.check(team, disk, others, result)
     return document["call"]
 
@@ -145,8 +152,8 @@ def _for_sequence(team, disk, others, plan):
     require_at_least("no turn at all", plan.survival_time + slack, straight)
 
 
-def _turns(team, disk, others, turns):
-    require((np.abs(turns) <= math.pi).all(), f"turns {turns}")
+def _turns(team, disk, others, result):
+    require((np.abs(result) <= math.pi).all(), f"turns {result}")
 
 
 def _game(team, disk, others, game):
@@ -158,7 +165,16 @@ def _worst(team, disk, others, worst):
     require(sorted(worst.sequence) == list(range(len(team))), f"sequence {worst.sequence}")
 
 
-def _turns_to(team, goal_headings, disk):  # noqa: ARG001 as all calls are made
+def _simulate(team, disk, *, update_time=0.01, time_limit=None, **others):
+    """Play a game, unless it has many updates."""
+    limit = math.inf if time_limit is None else time_limit
+    numbers = isinstance(update_time, int | float) and isinstance(limit, int | float)
+    if numbers and 0.0 < MOST_UPDATES * update_time < limit:
+        return None
+    return covey.simulate(team, disk, update_time=update_time, time_limit=time_limit, **others)
+
+
+def _turns_to(team, goal_headings, disk):
     return covey.turns_to(team, goal_headings)
 
 
@@ -167,87 +183,20 @@ class Call(NamedTuple):
 
     make: Callable[..., Any]
     most: int
-    arguments: Callable[[int, float], dict[str, st.SearchStrategy[Any]]]
+    arguments: Callable[[Size], dict[str, st.SearchStrategy[Any]]]
     check: Callable[..., None]
-
-
-def _each(values, count):
-    return st.lists(st.sampled_from(values), min_size=count, max_size=count)
-
-
-def _angles(count):
-    return _each((0.0, math.pi, -math.pi, 1e-9, 0.5, -3.0), count)
-
-
-def _sequence(count):
-    return st.permutations(range(count)).map(list)
-
-
-def _objectives(count):
-    draws = st.lists(_sequence(count), min_size=1, max_size=3, unique_by=tuple)
-    measures = st.sampled_from(("last", "total"))
-    return st.one_of(
-        st.just({"name": "last-capture"}),
-        st.just({"name": "total-survival"}),
-        st.fixed_dictionaries(
-            {"name": st.just("expected-survival"), "sequences": draws, "measure": measures}
-        ),
-    )
-
-
-def _teams(count):
-    searches = {"starts": st.integers(1, 2), "restarts": st.integers(0, 1)}
-    planning = {"name": st.just("iterative-open-loop"), **searches}
-    constant = {"name": st.just("constant-heading"), **searches}
-    return st.one_of(
-        st.fixed_dictionaries(planning),
-        st.just({"name": "open-loop", "starts": 2}),
-        st.fixed_dictionaries(constant),
-        st.fixed_dictionaries({"name": st.just("known-sequence"), "sequence": _sequence(count)}),
-        st.sampled_from(("largest-distance", "smallest-danger", "straight-away", "hold-course")).map(
-            lambda name: {"name": name}
-        ),
-    )
-
-
-def _pursuers(count):
-    margins = st.sampled_from((0.0, 0.01, math.inf))
-    return st.one_of(
-        st.fixed_dictionaries({"name": st.just("committed"), "margin": margins}),
-        st.just({"name": "flying", "offset": [0.6, 0.8]}),
-        st.fixed_dictionaries({"name": st.just("fixed-sequence"), "sequence": _sequence(count)}),
-        st.sampled_from(("patient", "best-sequence", "random-sequence", "nearest-first")).map(
-            lambda name: {"name": name}
-        ),
-    )
-
-
-def _game_arguments(count, unit):
-    """Arguments of a game that lasts a few updates; `unit` is a time."""
-    updates = st.sampled_from(UPDATES).map(lambda share: share * unit)
-    return {
-        "evaders": _teams(count),
-        "pursuer": _pursuers(count),
-        "sensing": st.sampled_from(("hidden", "visible")),
-        "timing": updates.flatmap(
-            lambda dt: st.sampled_from((1.0, 2.5, 10.0)).map(
-                lambda most: {"update_time": dt, "time_limit": most * dt}
-            )
-        ),
-        "objective": _objectives(count),
-    }
 
 
 CALLS = {
     "plan": Call(
         covey.plan,
         9,
-        lambda n, unit: {
-            "objective": _objectives(n),
+        lambda size: {
+            "objective": objectives(size.count),
             "seed": st.integers(0, 2**70),
             "starts": st.integers(1, 2),
-            "warm_start": st.none() | _angles(n),
-            "tolerance": st.sampled_from((1e-9, 1e-300, 1e300)),
+            "warm_start": st.none() | turns(size.count),
+            "tolerance": st.sampled_from((1e-9, 1e-300, 1e50)),
             "time_limit": st.sampled_from((None, 0.0, 1.0)),
         },
         _plan,
@@ -255,35 +204,49 @@ CALLS = {
     "guaranteed_survival": Call(
         covey.guaranteed_survival,
         9,
-        lambda n, unit: {
-            "turns": _angles(n),
-            "objective": st.sampled_from(({"name": "last-capture"}, {"name": "total-survival"})),
-        },
+        lambda size: {"turns": turns(size.count), "objective": objectives(size.count)},
         _guarantee,
     ),
     "capture_times": Call(
         covey.capture_times,
         9,
-        lambda n, unit: {"turns": _angles(n), "sequence": _sequence(n)},
+        lambda size: {"turns": turns(size.count), "sequence": sequences(size.count)},
         _times,
     ),
     "expected_survival": Call(
         covey.expected_survival,
         9,
-        lambda n, unit: {"turns": _angles(n), "objective": _objectives(n)},
+        lambda size: {"turns": turns(size.count), "objective": objectives(size.count)},
         _expected,
     ),
-    "bracket": Call(covey.bracket, 3, lambda n, unit: {"starts": st.integers(1, 2)}, _bracket),
+    "bracket": Call(covey.bracket, 3, lambda size: {"starts": st.integers(1, 2)}, _bracket),
     "plan_for_sequence": Call(
-        covey.plan_for_sequence, 9, lambda n, unit: {"sequence": _sequence(n)}, _for_sequence
+        covey.plan_for_sequence,
+        9,
+        lambda size: {"sequence": sequences(size.count)},
+        _for_sequence,
     ),
-    "turns_to": Call(_turns_to, 9, lambda n, unit: {"goal_headings": _each(HEADINGS, n)}, _turns),
-    "simulate": Call(covey.simulate, 5, _game_arguments, _game),
+    "turns_to": Call(
+        _turns_to, 9, lambda size: {"goal_headings": each(HEADINGS, size.count)}, _turns
+    ),
+    "simulate": Call(
+        _simulate,
+        5,
+        lambda size: {
+            "evaders": evaders(size.count),
+            "pursuer": pursuers(size.count),
+            "sensing": st.sampled_from(("hidden", "visible")),
+            "seed": st.sampled_from((0, 2**31, 2**70)),
+            "timing": timing(size.time),
+            "objective": objectives(size.count),
+        },
+        _game,
+    ),
     "worst_case": Call(
         covey.worst_case,
         3,
-        lambda n, unit: {
-            "update_time": st.sampled_from((0.1, 1.0, 1e6)).map(lambda share: share * unit),
+        lambda size: {
+            "update_time": st.sampled_from((0.1, 1.0, 1e6)).map(lambda share: share * size.time),
             "evaders": st.just({"name": "iterative-open-loop", "starts": 2, "restarts": 0}),
         },
         _worst,
@@ -295,30 +258,9 @@ CALLS = {
 def _legal(draw):
     """Draw a call of nasty but legal values."""
     name = draw(st.sampled_from(sorted(CALLS)))
-    call = CALLS[name]
-    n = draw(st.integers(1, call.most))
-    length, unit = draw(st.sampled_from(LENGTHS)), draw(st.sampled_from(TIMES))
-    speed = length / unit
-    shares = st.sampled_from(SHARES) | st.floats(-1.0, 1.0)
-    offset = draw(st.sampled_from((0.0, 1.0, 1e5)))
-    points = st.lists(shares.map(lambda x: length * (x + offset)), min_size=2, max_size=2)
-
-    def scaled(scale, values):
-        return st.sampled_from(values).map(lambda value: scale * value)
-
-    disk = {
-        "center": draw(points),
-        "radius": draw(scaled(length, RADII)),
-        "speed": speed,
-        "capture_radius": draw(scaled(length, RADII)),
-    }
-    team = {
-        "positions": draw(st.lists(points, min_size=n, max_size=n)),
-        "headings": draw(_each(HEADINGS, n)),
-        "speeds": [speed * share for share in draw(_each(SPEEDS, n))],
-        "turn_rates": [rate / unit for rate in draw(_each(TURN_RATES, n))],
-    }
-    arguments = draw(st.fixed_dictionaries(call.arguments(n, unit)))
+    size = draw(sizes(CALLS[name].most))
+    team, disk = draw(states(size))
+    arguments = draw(st.fixed_dictionaries(CALLS[name].arguments(size)))
     arguments |= arguments.pop("timing", {})
     return {"call": name, "team": team, "disk": disk, "with": arguments}
 

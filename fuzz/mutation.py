@@ -78,15 +78,10 @@ def damaged(draw, content):
     """Draw bytes that differ from `content` in a few places."""
     for _ in range(draw(st.integers(1, MOST_EDITS))):
         first, last = sorted(draw(st.tuples(*2 * (st.integers(0, len(content)),))))
-        part = content[first:last]
-        new = draw(st.sampled_from(("cut off", "cut out", "token", "bytes", "twice")))
-        content = {
-            "cut off": lambda: content[:first],
-            "cut out": lambda: content[:first] + content[last:],
-            "token": lambda: content[:first] + draw(st.sampled_from(TOKENS)) + content[first:],
-            "bytes": lambda: content[:first] + draw(st.binary(max_size=8)) + content[first + 8 :],
-            "twice": lambda: content[:last] + part + content[last:],
-        }[new]()
+        new = draw(st.just(b"") | st.sampled_from(TOKENS) | st.binary(max_size=8))
+        # Where the old content goes on: never, later, earlier, or where it was overwritten.
+        rest = draw(st.sampled_from((len(content), last, first // 2, first + len(new))))
+        content = content[:first] + new + content[rest:]
     return content
 
 

@@ -63,9 +63,9 @@ def require_game(game):
     require(len(set(order)) == len(order), f"game: captured twice {order}")
     everybody = len(order) == len(game.team)
     require(math.isfinite(game.survival_time) == everybody, f"game: {game.survival_time}")
-    if game.strategies["evaders"]["name"] in ("open-loop", "iterative-open-loop"):
-        if game.objective["name"] == "last-capture":
-            require_at_least("game: guarantee", game.survival_time, game.guarantee)
+    keeps = game.strategies["evaders"]["name"] in ("open-loop", "iterative-open-loop")
+    if keeps and game.objective["name"] == "last-capture":
+        require_at_least("game: guarantee", game.survival_time, game.guarantee)
 
 
 def require_same(name, one, other):

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 import sys
+from dataclasses import replace
 
 import pytest
 from hypothesis import strategies as st
 
+import covey
 from fuzz import calls, page, records, results, scenarios, search, studies, watch
-from fuzz.oracle import FindingError, refusal
+from fuzz.oracle import FindingError, refusal, require_game, require_plan
 from fuzz.target import Target, corpus
 
 CASES = [(name, file) for name in search.TARGETS for file in corpus(name)]
@@ -92,3 +94,13 @@ def test_a_crash_and_a_hang_are_findings_too(program, told, monkeypatch, tmp_pat
 def test_a_long_message_is_a_finding():
     with pytest.raises(FindingError, match="a message of 5000 characters"):
         refusal(ValueError("x" * 5000))
+
+
+def test_a_broken_promise_is_a_finding():
+    team, disk = covey.Team([[0.3, 0.1]], [0.0]), covey.PursuerDisk()
+    plan = covey.plan(team, disk, starts=1)
+    with pytest.raises(FindingError, match="guaranteed again"):
+        require_plan(team, disk, replace(plan, survival_time=1.001 * plan.survival_time))
+    game = covey.simulate(team, disk)
+    with pytest.raises(FindingError, match="game: guarantee"):
+        require_game(replace(game, guarantee=1.001 * game.survival_time))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import covey
+from covey.players.compiled import checked_settings
 from random_games import random_game
 from simulation import custom_pursuers
 
@@ -83,3 +84,11 @@ def test_whoever_keeps_one_order_is_done_by_the_default_limit(sensing):
             update_time=0.5,
         )
         assert game.status is covey.GameStatus.ALL_CAPTURED, f"seed {seed}"
+
+
+def test_a_default_limit_too_large_for_a_number_is_none():
+    team = covey.Team(np.ones((8, 2)), np.zeros(8), 1.0 - 2e-9)
+    settings = checked_settings(
+        team, covey.PursuerDisk(), "hidden", 0.1, 0, None, covey.LastCapture()
+    )
+    assert settings.time_limit == math.inf

@@ -53,8 +53,6 @@ def root_near(evaders: Floats, pursuit: Pursuit, sequence: Ints, turns: Floats) 
     last = first
     while True:
         # Row and step of an evader that is captured at time 0 are 0: its turn changes nothing.
-        if not np.isfinite(hessian).all():  # an evader almost as fast as the pursuer
-            return None
         step = np.linalg.lstsq(hessian, -gradient)[0]
         length = float(np.abs(step).max())
         if not length < 0.5 * shortest:

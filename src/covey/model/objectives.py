@@ -151,7 +151,9 @@ def checked_distribution(
     """Return sequences of one team and their weights, checked; else raise InputError."""
     if sequences is None:
         if weights is not None:
-            raise InputError(f"{name}.weights: expected none without sequences, got {shown(weights)}")
+            raise InputError(
+                f"{name}.weights: expected none without sequences, got {shown(weights)}"
+            )
         return None, None
     given = listed(f"{name}.sequences", sequences)
     count = len(listed(f"{name}.sequences", given[0])) if given else 0

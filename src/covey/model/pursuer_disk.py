@@ -8,7 +8,14 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.model.team import Team
-from covey.model.validation import SMALLEST_SPEED, Floats, InputError, frozen_array, number
+from covey.model.validation import (
+    SMALLEST_SPEED,
+    Floats,
+    InputError,
+    frozen_array,
+    is_slower,
+    number,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,10 +77,10 @@ class PursuerDisk:
         return self.towards(goal, self.radius)
 
     def require_faster_than(self, team: Team) -> None:
-        """Raise InputError if an evader is as fast as the pursuer, and so could flee for ever."""
+        """Raise InputError unless every evader `is_slower`; another could flee for ever."""
         fastest = int(team.speeds.argmax())
-        if team.speeds[fastest] >= self.speed:
+        if not is_slower(team.speeds[fastest], self.speed):
             raise InputError(
-                f"speeds: expected every evader to be slower than the pursuer ({self.speed:g}), "
-                f"got speeds[{fastest}] = {team.speeds[fastest]:g}"
+                "speeds: expected every evader to be slower than the pursuer "
+                f"({self.speed:.12g}), got speeds[{fastest}] = {team.speeds[fastest]:.12g}"
             )

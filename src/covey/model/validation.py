@@ -20,6 +20,18 @@ LARGEST = 1e50
 """Largest length, speed, rate or time. Products of a few of them must be finite."""
 SMALLEST_SPEED = 1.0 / LARGEST
 """Of a pursuer: a length over it must be finite."""
+MOST_STARTS = 100_000
+"""Of a search. Their random numbers take 64 bytes a start and evader."""
+_LEAD = 1e-9
+"""Least difference of the speeds of a pursuer and an evader, relative."""
+
+
+def is_slower(speed: float, pursuer_speed: float) -> bool:
+    """Tell whether an evader is slower, by a billionth at least.
+
+    Closer speeds leave capture times without a correct digit.
+    """
+    return speed < (1.0 - _LEAD) * pursuer_speed
 
 
 class InputError(ValueError):
@@ -109,10 +121,12 @@ def number(
     return result
 
 
-def whole_number(name: str, value: object, *, low: int) -> int:
-    """Return `value` as an int >= `low`."""
+def whole_number(name: str, value: object, *, low: int, high: int | None = None) -> int:
+    """Return `value` as an int >= `low` and, if `high` is given, <= `high`."""
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < low:
         raise InputError(f"{name}: expected a whole number >= {low}, got {shown(value)}")
+    if high is not None and value > high:
+        raise InputError(f"{name}: expected a whole number <= {high}, got {shown(value)}")
     return int(value)
 
 
