@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import importlib
 import json
-import os
 import re
 import sys
 import time
 import traceback
 import warnings
+from collections.abc import Callable
 from pathlib import Path
 
 from hypothesis import HealthCheck, Phase, given, seed, settings
@@ -53,34 +53,33 @@ def search(name: str, run_seed: str, seconds: float, folder: Path) -> dict[str, 
     The folder holds `current`, the case that is being tried, and `found`, the last that failed.
     """
     target, deadline = load(name), time.monotonic() + seconds
-    known = {shape(try_case(target, file.read_bytes())) for file in corpus(name)}
-    shapes: dict[str, int] = {}
-    tried = 0
 
-    def body(content: bytes) -> None:
-        nonlocal tried
-        if time.monotonic() > deadline:
-            return
+    def attempt(content: bytes) -> str:
         (folder / "current").write_bytes(content)
         try:
-            answer = try_case(target, content)
+            return shape(try_case(target, content))
         except Exception:
             # The last one is the simplest: from the first on, Hypothesis tries simpler ones.
             (folder / "found").write_bytes(content)
             (folder / "error").write_text(traceback.format_exc(), encoding="utf-8")
             raise
-        tried += 1
-        shapes[shape(answer)] = shapes.get(shape(answer), 0) + 1
+
+    known = {attempt(file.read_bytes()) for file in corpus(name)}
+    answers: list[str] = []
+
+    def body(content: bytes) -> None:
+        if time.monotonic() < deadline:
+            answers.append(attempt(content))
 
     number = 0
     while time.monotonic() < deadline:
         _round(target, body, f"{run_seed} {name} {number}")
         number += 1
-    new = sorted(set(shapes) - known)
-    return {"cases": tried, "answers": len(shapes), "new": new}
+    kinds = set(answers)
+    return {"cases": len(answers), "answers": len(kinds), "new": sorted(kinds - known)}
 
 
-def _round(target, body, round_seed):
+def _round(target: Target, body: Callable[[bytes], None], round_seed: str) -> None:
     """Try `ROUND` cases; raise the exception of the simplest finding."""
     chosen = settings(
         max_examples=ROUND,
@@ -108,5 +107,4 @@ def main(name: str, run_seed: str, seconds: str, folder: str = ".") -> int:
 
 
 if __name__ == "__main__":
-    os.environ.setdefault("MPLBACKEND", "agg")
     sys.exit(main(*sys.argv[1:]))
