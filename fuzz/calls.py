@@ -39,6 +39,7 @@ from fuzz.target import Target
 from random_games import time_rounding
 
 MOST_UPDATES = 20
+"""Of a game: one with 200 000 of them takes minutes by right."""
 ODD_KINDS = {
     "object": object(),
     "complex": 1j,

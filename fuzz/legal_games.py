@@ -12,7 +12,7 @@ TIMES = (1.0, 1e-9, 1e-3, 1e3, 1e9)
 OFFSETS = (0.0, 1.0, 1e5)
 """Of all coordinates, in units of length."""
 SHARES = (0.0, 1.0, -1.0, 0.5, 1e-9, -1e-16)
-SPEEDS = (0.25, 0.0, 1e-12, 0.5, 0.9, 0.999, 0.999999, 1.0 - 2e-9, math.nextafter(1.0, 0.0))
+SPEEDS = (0.25, 0.0, 1e-12, 0.5, 0.9, 0.999, 0.999999, 1.0 - 2e-12, math.nextafter(1.0, 0.0))
 """Of the pursuer's."""
 TURN_RATES = (1.0, 0.0, 1e-9, 1e-3, 1e3, 1e9, math.inf)
 HEADINGS = (0.0, math.pi, -math.pi, 1.5, 1e9, -1e9)

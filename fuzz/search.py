@@ -1,4 +1,9 @@
-"""One worker: draws cases of a target until its time is up, or until one is a finding."""
+"""One worker: draws cases of a target until its time is up, or until one is a finding.
+
+Hypothesis draws the cases, and simplifies one that fails. Coverage would guide a search little
+here: most of what reads the files is compiled (pydantic, pyarrow, the kernels). Instead, answers
+are told apart by their kind, so that a search shows how much of the error messages it has seen.
+"""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ TEAMS = {
         "positions: .*up to 1e.50",
         r"\[1, 1\] = 1e.60",
     ),
-    "many turns": ({"headings": [0, 1e16]}, r"headings: .*up to 1e\+09", r"\[1\] = 1e\+16"),
+    "many turns": ({"headings": [0, 1e16]}, r"headings: .*up to 1.001e\+09", r"\[1\] = 1e\+16"),
     "nan heading": ({"headings": [0, math.nan]}, "headings: .*finite", r"\[1\] = nan"),
     "infinite heading": ({"headings": [math.inf, 0]}, "headings: .*finite", r"\[0\] = inf"),
     "negative speed": ({"speeds": [0.1, -0.1]}, "speeds: .*>= 0", r"speeds\[1\] = -0.1"),

@@ -10,8 +10,11 @@ import numpy.typing as npt
 
 from covey.model.validation import Floats, InputError, Ints, frozen_array, frozen_rates
 
-LARGEST_HEADING = 1e9
-"""Radians. Double precision tells headings of this size apart to 1e-7."""
+LARGEST_HEADING = 1e9 + 1e6
+"""Radians. Double precision tells headings of this size apart to 1e-7.
+
+An evader that begins with 1e9 comes to no more than this by turning in 200 000 updates.
+"""
 
 
 @dataclass(frozen=True, eq=False)

@@ -22,14 +22,14 @@ SMALLEST_SPEED = 1.0 / LARGEST
 """Of a pursuer: a length over it must be finite."""
 MOST_STARTS = 100_000
 """Of a search. Their random numbers take 64 bytes a start and evader."""
-_LEAD = 1e-9
+_LEAD = 1e-12
 """Least difference of the speeds of a pursuer and an evader, relative."""
 
 
 def is_slower(speed: float, pursuer_speed: float) -> bool:
-    """Tell whether an evader is slower, by a billionth at least.
+    """Tell whether an evader is slower, by a trillionth at least.
 
-    Closer speeds leave capture times without a correct digit.
+    Speeds that are equal up to rounding leave capture times without a correct digit.
     """
     return speed < (1.0 - _LEAD) * pursuer_speed
 

@@ -81,7 +81,7 @@ def longest_game(team: Team, disk: PursuerDisk) -> float:
     """Return a time by which a pursuer that keeps to any one sequence has captured everybody.
 
     An evader at distance d is captured within d / (v_p - v). Meanwhile the distance to the next
-    evader grows by no more than both can fly. A time of 0 is returned as infinity.
+    evader grows by no more than both can fly.
     """
     offsets = team.positions - disk.center
     farthest = float(np.hypot(offsets[:, 0], offsets[:, 1]).max()) + disk.radius
@@ -90,7 +90,7 @@ def longest_game(team: Team, disk: PursuerDisk) -> float:
     for _ in range(len(team)):
         gap = 2.0 * farthest + (disk.speed + fastest) * time
         time += gap / (disk.speed - fastest)
-    return time if time > 0.0 else math.inf
+    return time
 
 
 def capture_times(

@@ -60,7 +60,7 @@ def checked_settings(
     check_game(team, disk)
     if time_limit is None:
         longest = longest_game(team, disk)
-        time_limit = longest if longest <= LARGEST else math.inf
+        time_limit = longest if 0.0 < longest <= LARGEST else math.inf
     return Settings(sensing, update_time, seed, time_limit, objective)
 
 
