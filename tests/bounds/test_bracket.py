@@ -129,6 +129,11 @@ def test_an_evader_almost_as_fast_as_the_pursuer_is_bounded_too():
     assert found.lower <= found.upper < math.inf
 
 
+def test_an_evader_almost_as_fast_and_where_the_pursuer_is_is_captured_at_once():
+    team = covey.Team([[0.0, 0.0]], [0.0], 1.0 - 1e-9, math.inf)
+    assert covey.bracket(team, covey.PursuerDisk()).upper == 0.0
+
+
 def test_rejects_an_evader_as_fast_as_the_pursuer():
     with pytest.raises(covey.InputError, match="slower than the pursuer"):
         covey.bracket(covey.Team([[1.0, 0.0]], [0.0], 1.0), covey.PursuerDisk())

@@ -11,6 +11,12 @@ import numpy.typing as npt
 
 from covey.model.validation import Floats, InputError, Ints, frozen_array, frozen_rates, read_only
 
+LARGEST_HEADING = 1e9 + 1e6
+"""Radians. Double precision tells headings of this size apart to 1e-7.
+
+An evader that begins with 1e9 comes to no more than this by turning in 200 000 updates.
+"""
+
 
 @dataclass(frozen=True, eq=False)
 class Team:
@@ -21,7 +27,7 @@ class Team:
     positions
         (N, 2), lengths. N >= 1.
     headings
-        (N,), radians counter-clockwise from +x.
+        (N,), radians counter-clockwise from +x, up to 1e9 in size.
     speeds
         One number or (N,), lengths per time, >= 0. Default 0.25 (section V of the paper).
     turn_rates
@@ -55,7 +61,7 @@ class Team:
         count = len(positions)
         if count == 0:
             raise InputError("positions: expected at least one evader, got none")
-        headings = frozen_array("headings", headings, (None,))
+        headings = frozen_array("headings", headings, (None,), LARGEST_HEADING)
         if len(headings) != count:
             raise InputError(
                 f"headings: expected one for each of {count} evaders, got shape {headings.shape}"

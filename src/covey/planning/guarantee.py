@@ -24,7 +24,7 @@ from covey.model import (
     Team,
     TotalSurvival,
 )
-from covey.model.validation import Floats, checked_array, permutation, require_kind
+from covey.model.validation import Floats, checked_array, permutation, require_kind, shown
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.long_calls import interceptions_of_minimum, interruptible
 from covey.planning.workspace import workspace
@@ -93,7 +93,7 @@ def longest_game(team: Team, disk: PursuerDisk) -> float:
     """Return a time by which a pursuer that keeps to any one sequence has captured everybody.
 
     An evader at distance d is captured within d / (v_p - v). Meanwhile the distance to the next
-    evader grows by no more than both can fly. A time of 0 is returned as infinity.
+    evader grows by no more than both can fly.
     """
     offsets = team.positions - disk.center
     farthest = float(np.hypot(offsets[:, 0], offsets[:, 1]).max()) + disk.radius
@@ -102,7 +102,7 @@ def longest_game(team: Team, disk: PursuerDisk) -> float:
     for _ in range(len(team)):
         gap = 2.0 * farthest + (disk.speed + fastest) * time
         time += gap / (disk.speed - fastest)
-    return time if time > 0.0 else math.inf
+    return time
 
 
 def capture_times(
@@ -227,7 +227,7 @@ def expected_survival(
     """
     check_players(team, disk)
     if not isinstance(objective, ExpectedSurvival):
-        raise InputError(f"objective: expected ExpectedSurvival(...), got {objective!r}")
+        raise InputError(f"objective: expected ExpectedSurvival(...), got {shown(objective)}")
     team, disk = about_center(team, disk)
     checked = checked_array("turns", turns, (len(team),))
     problem = Problem(team.as_rows(), pursuit_of(disk), compiled_objective(objective, len(team)))

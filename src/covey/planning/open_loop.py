@@ -16,7 +16,15 @@ from covey.kernels.maximum.problem import CONVERGED, STALLED, STEPS_USED_UP, Ite
 from covey.kernels.maximum.working_set import WorkingSet, new_working_set
 from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, PursuerDisk, Team
 from covey.model.angles import wrap_angle
-from covey.model.validation import Floats, frozen_array, number, read_only, whole_number
+from covey.model.validation import (
+    MOST_STARTS,
+    Floats,
+    frozen_array,
+    number,
+    read_only,
+    shown,
+    whole_number,
+)
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.guarantee import (
     about_center,
@@ -156,7 +164,11 @@ def plan(
         number("time_limit", time_limit, low=0.0)
     team, disk = about_center(team, disk)
     n = len(team)
-    starts = default_starts(n) if starts is None else whole_number("starts", starts, low=1)
+    starts = (
+        default_starts(n)
+        if starts is None
+        else whole_number("starts", starts, low=1, high=MOST_STARTS)
+    )
     deadline = math.inf if time_limit is None else time.perf_counter() + time_limit
     compiled = compiled_objective(checked_objective(objective), n)
     problem = Problem(team.as_rows(), pursuit_of(disk), compiled)
@@ -252,7 +264,7 @@ def _turns_of(warm_start: Plan | npt.ArrayLike, team: Team) -> Floats:
     turns = warm_start.turns if isinstance(warm_start, Plan) else warm_start
     checked = frozen_array("warm_start", turns, (len(team),))
     if np.abs(checked).max() > math.pi:
-        raise InputError(f"warm_start: expected turns in [-π, π], got {checked.tolist()}")
+        raise InputError(f"warm_start: expected turns in [-π, π], got {shown(checked.tolist())}")
     return np.where(team.turn_rates > 0.0, checked, 0.0)
 
 

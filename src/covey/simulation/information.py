@@ -10,7 +10,7 @@ import numpy as np
 
 from covey.kernels.play.rules import NOBODY, State
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team
-from covey.model.validation import Floats, Ints, frozen_array, read_only
+from covey.model.validation import Floats, Ints, frozen_array, read_only, shown
 from covey.simulation.strategy import Chase, Fly, Situation
 
 _NO_ROWS = np.empty(0, np.int64)
@@ -71,14 +71,14 @@ def checked_decision(
         return rows, int(rows[0]), (0.0, 0.0)
     if isinstance(decision, Fly):
         return _NO_ROWS, NOBODY, _chosen_velocity(decision, disk, moves=moves)
-    raise InputError(f"pursuer's decision: expected Chase or Fly, got {decision!r}")
+    raise InputError(f"pursuer's decision: expected Chase or Fly, got {shown(decision)}")
 
 
 def _chosen_rows(chase: Chase, living: Sequence[int]) -> Ints:
     sequence = list(chase.sequence)
     if not sequence or len(set(sequence)) < len(sequence) or not set(sequence) <= set(living):
         raise InputError(
-            f"Chase: expected a sequence of living evaders {list(living)}, got {sequence}"
+            f"Chase: expected a sequence of living evaders {list(living)}, got {shown(sequence)}"
         )
     return np.array([living.index(i) for i in sequence], dtype=np.int64)
 

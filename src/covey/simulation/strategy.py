@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team
-from covey.model.validation import Floats, frozen_array
+from covey.model.validation import Floats, frozen_array, shown
 
 
 @dataclass(frozen=True, eq=False)
@@ -169,7 +169,7 @@ def policy_of(role: str, strategy: object, seed: int) -> Policy:
         return strategy
     raise InputError(
         f"{role}: expected a strategy (a value with a method start(seed)) or a function of a "
-        f"Situation, got {strategy!r}"
+        f"Situation, got {shown(strategy)}"
     )
 
 

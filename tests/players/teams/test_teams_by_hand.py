@@ -195,3 +195,10 @@ def test_each_for_itself_gets_behind_its_neighbour():
 
     best = min(map(share, np.linspace(-math.pi, math.pi, 181)))
     assert share(headings[0]) <= best + 1.0 / 256
+
+
+@pytest.mark.parametrize("evaders", [covey.StraightAway(), covey.IterativeOpenLoop(starts=1)])
+def test_a_team_may_turn_beyond_the_largest_heading_that_it_may_begin_with(evaders):
+    team = covey.Team([(0.3, 0.1), (-0.2, 0.4)], [1e9, 1e9], 0.25, 1.0)
+    game = covey.simulate(team, covey.PursuerDisk(), evaders=evaders, update_time=0.1)
+    assert game.evader_headings.max() > 1e9 + 0.1

@@ -12,7 +12,7 @@ import numpy as np
 from covey.kernels.maximum.objective import elapsed_value
 from covey.kernels.maximum.problem import Problem
 from covey.kernels.play.policy import ReplanOptions, TeamMemory, forget, replan
-from covey.model.validation import Floats, whole_number
+from covey.model.validation import MOST_STARTS, Floats, whole_number
 from covey.planning import Plan, plan
 from covey.planning.compiled_objective import compiled_objective
 from covey.planning.guarantee import pursuit_of
@@ -46,7 +46,7 @@ class OpenLoop:
 
     def __post_init__(self) -> None:
         """Check the field."""
-        whole_number("OpenLoop.starts", self.starts, low=1)
+        whole_number("OpenLoop.starts", self.starts, low=1, high=MOST_STARTS)
 
     def describe(self) -> Mapping[str, Any]:
         """Return name and parameters, as a scenario file gives them."""
@@ -88,8 +88,8 @@ class SearchingTeam(ReplanningTeam):
     def __post_init__(self) -> None:
         """Check the fields."""
         name = type(self).__name__
-        whole_number(f"{name}.starts", self.starts, low=1)
-        whole_number(f"{name}.restarts", self.restarts, low=0)
+        whole_number(f"{name}.starts", self.starts, low=1, high=MOST_STARTS)
+        whole_number(f"{name}.restarts", self.restarts, low=0, high=MOST_STARTS)
         super().__post_init__()
 
     def compiled(self) -> ReplanOptions:

@@ -8,6 +8,7 @@ from typing import Any
 
 from covey.model import InputError
 from covey.model.objectives import distribution_of
+from covey.model.validation import is_slower
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.players import FixedSequence, KnownSequence, RandomSequence
 from covey.scenarios.consistency import too_fast
@@ -18,7 +19,7 @@ from covey.studies.design.start_table import FromFile
 def inconsistencies(values: Mapping[str, Any]) -> Iterator[Mistake]:
     """Find what doesn't fit together among the values of all fields, each right by itself."""
     fastest, slowest = max(values["speed"]), min(values["pursuer_speed"])
-    if fastest >= slowest:
+    if not is_slower(fastest, slowest):
         yield too_fast(("grid", "speed"), fastest, slowest)
     yield from _sequences(values)
     yield from _objectives(values)
