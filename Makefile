@@ -6,7 +6,7 @@ READY := $(VENV)/.ready
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
 
 .DEFAULT_GOAL := help
-.PHONY: help install paper test lint format wheel check-package bench accounting clean
+.PHONY: help install paper test lint format wheel check-package mutants bench accounting clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
@@ -44,6 +44,9 @@ format: $(READY) ## Format the code and mend what can be mended by rule
 wheel: $(READY) ## Build a wheel with the compiled kernels inside (PLATFORM=all for every platform)
 	@$(PIP) -e '.[build]'
 	$(BIN)/python packaging/wheels.py $(PLATFORM)
+
+mutants: $(READY) ## Plant sixty bugs, one at a time, and say which test catches each (ARGS='--room views')
+	$(BIN)/python mutants/run.py $(ARGS)
 
 bench: $(READY) ## Measure speed; never a part of the tests
 	$(BIN)/python -m pytest benchmarks --ignore benchmarks/bench_accounting.py --benchmark-only $(ARGS)

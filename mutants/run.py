@@ -2,8 +2,9 @@
 
     python mutants/run.py [--room] [WORD ...]
 
-Only the bugs whose name or room is one of the words are planted; without words, all. The tests of
-the bug's room run first, then the rest, until one fails; with --room, the rest doesn't run. A bug
+Only the bugs whose name or room is one of the words are planted; without words, all. The tests
+beside the code run first, then those of its room, then the rest, until one fails; with --room, the
+rest doesn't run. A bug
 counts as caught only if that test passes without the bug. Digests of the sources differ with each
 bug, and no test knows their values.
 
@@ -18,15 +19,15 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from bugs import BUGS, Bug
 
 ROOT = Path(__file__).resolve().parents[1]
 
-_BESIDE = {"kernels": ("kernels", "planning", "bounds", "simulation", "players")}
-"""Folders of tests beside the code of a room, where they aren't the room's own alone."""
+_ELSEWHERE = {"kernels/maximum": ["planning", "bounds"], "kernels/play": ["simulation", "players"]}
+"""Folders of the tests of a chapter that has no folder of tests."""
 
 _LONGEST = 1800
 """Seconds after which tests that don't end count as failed."""
@@ -62,15 +63,28 @@ def catching_test(bug: Bug, *, beside_only: bool) -> str | None:
     with tempfile.TemporaryDirectory() as folder:
         tree = copied_tree(Path(folder) / "bug")
         bug.plant(tree / "src" / "covey")
-        beside = [f"tests/{room}" for room in _BESIDE.get(bug.room, (bug.room,))]
         # Kernels with a bug would drive others out of the user's cache.
         own = {"COVEY_CACHE_DIR": str(tree / "cache")} if bug.room == "kernels" else {}
-        failed = first_failure(tree, beside if beside_only else [*beside, "tests"], own)
+        folders = test_folders(bug) if beside_only else [*test_folders(bug), "tests"]
+        runs = ([folder, *_without(folders[:k])] for k, folder in enumerate(folders))
+        failed = next(filter(None, (first_failure(tree, run, own) for run in runs)), None)
         if failed is None or failed == TOO_LONG:
             return failed
         if first_failure(copied_tree(Path(folder) / "sound"), [failed], {}) is not None:
             raise RuntimeError(f"{failed} fails without the bug, too")
         return failed
+
+
+def test_folders(bug: Bug) -> list[str]:
+    """Return the folders of the tests beside a bug, the nearest first."""
+    chapters = [each.as_posix() for each in Path(bug.file).parents[:-1]]
+    elsewhere = [folder for chapter in chapters for folder in _ELSEWHERE.get(chapter, ())]
+    folders = [f"tests/{each}" for each in (*elsewhere, *chapters)]
+    return [folder for folder in folders if (ROOT / folder).is_dir()]
+
+
+def _without(folders: Iterable[str]) -> Iterator[str]:
+    return (f"--ignore={folder}" for folder in folders)
 
 
 def copied_tree(target: Path) -> Path:
@@ -85,7 +99,7 @@ def copied_tree(target: Path) -> Path:
 
 
 def first_failure(tree: Path, tests: Iterable[str], own: Mapping[str, str]) -> str | None:
-    """Run tests of a tree with a few variables of the environment; return the first that fails."""
+    """Run tests of a tree with some variables of its own; return the first that fails."""
     command = [sys.executable, "-m", "pytest", "-x", "-q", "--tb=no", "-p", "no:cacheprovider"]
     try:
         done = subprocess.run(

@@ -105,7 +105,8 @@ def test_an_ascent_in_a_mirror_is_the_ascent_mirrored(seed):
     turns = random_turns(generator, 3)
     plan = covey.plan(team, disk, starts=1, warm_start=turns)
     mirrored = covey.Team(team.positions * [1.0, -1.0], -team.headings)
-    other = covey.plan(mirrored, disk, starts=1, warm_start=-turns)
+    there = covey.PursuerDisk(disk.center * [1.0, -1.0])
+    other = covey.plan(mirrored, there, starts=1, warm_start=-turns)
     assert other.survival_time == pytest.approx(plan.survival_time, rel=1e-12, abs=0.0)
 
 
