@@ -32,6 +32,9 @@ _ELSEWHERE = {"kernels/maximum": ["planning", "bounds"], "kernels/play": ["simul
 _LONGEST = 1800
 """Seconds after which tests that don't end count as failed."""
 
+NO_TESTS = 5
+"""Exit status of pytest where all tests were run before."""
+
 TOO_LONG = "tests that don't end"
 
 _FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+\.py(?:::\w+)*)", re.MULTILINE)
@@ -65,8 +68,9 @@ def catching_test(bug: Bug, *, beside_only: bool) -> str | None:
         bug.plant(tree / "src" / "covey")
         # Kernels with a bug would drive others out of the user's cache.
         own = {"COVEY_CACHE_DIR": str(tree / "cache")} if bug.room == "kernels" else {}
-        folders = test_folders(bug) if beside_only else [*test_folders(bug), "tests"]
-        runs = ([folder, *_without(folders[:k])] for k, folder in enumerate(folders))
+        beside = tests_beside(bug)
+        nearest = beside if beside_only else [*beside, "tests"]
+        runs = ([path, *_without(nearest[:k])] for k, path in enumerate(nearest))
         failed = next(filter(None, (first_failure(tree, run, own) for run in runs)), None)
         if failed is None or failed == TOO_LONG:
             return failed
@@ -75,16 +79,18 @@ def catching_test(bug: Bug, *, beside_only: bool) -> str | None:
         return failed
 
 
-def test_folders(bug: Bug) -> list[str]:
-    """Return the folders of the tests beside a bug, the nearest first."""
+def tests_beside(bug: Bug) -> list[str]:
+    """Return the tests beside a bug, the nearest first: files of its file's name, then folders."""
     chapters = [each.as_posix() for each in Path(bug.file).parents[:-1]]
     elsewhere = [folder for chapter in chapters for folder in _ELSEWHERE.get(chapter, ())]
-    folders = [f"tests/{each}" for each in (*elsewhere, *chapters)]
-    return [folder for folder in folders if (ROOT / folder).is_dir()]
+    folders = [ROOT / "tests" / each for each in (*elsewhere, *chapters)]
+    named = [path for each in folders for path in each.glob(f"test_{Path(bug.file).stem}*.py")]
+    nearest = dict.fromkeys([*named, *filter(Path.is_dir, folders)])
+    return [path.relative_to(ROOT).as_posix() for path in nearest]
 
 
-def _without(folders: Iterable[str]) -> Iterator[str]:
-    return (f"--ignore={folder}" for folder in folders)
+def _without(paths: Iterable[str]) -> Iterator[str]:
+    return (f"--ignore={path}" for path in paths)
 
 
 def copied_tree(target: Path) -> Path:
@@ -114,7 +120,7 @@ def first_failure(tree: Path, tests: Iterable[str], own: Mapping[str, str]) -> s
     except subprocess.TimeoutExpired:
         return TOO_LONG
     failed = _FAILED.search(done.stdout)
-    if failed is None and done.returncode != 0:
+    if failed is None and done.returncode not in {0, NO_TESTS}:
         raise RuntimeError(f"the tests don't run: {done.stdout[-500:]}{done.stderr[-500:]}")
     return None if failed is None else failed[1]
 
