@@ -68,14 +68,27 @@ def test_a_study_that_comes_with_covey_is_meant(capsys):
     assert "no study of that name" in capsys.readouterr().err
 
 
-def test_no_games_are_lost_silently(file, capsys, monkeypatch):
-    def broken(study, start):
+@pytest.fixture
+def broken(monkeypatch):
+    """No game can be played."""
+
+    def fail(study, start):
         raise ZeroDivisionError("no heading")
 
-    monkeypatch.setattr("covey.studies.running.worker.play_start", broken)
+    monkeypatch.setattr("covey.studies.running.worker.play_start", fail)
+
+
+def test_no_games_are_lost_silently(file, capsys, broken):
     with pytest.raises(SystemExit, match="1"):
         main(["study", "small.toml", "--workers", "1"])
     assert "starts 0 to 15 are missing: start 0 (seed" in capsys.readouterr().err
+
+
+def test_no_figure_is_drawn_where_games_are_missing(tmp_path, capsys, broken, monkeypatch):
+    monkeypatch.setattr("covey.cli.commands.reproduce._reproduce_game", lambda folder: None)
+    assert main(["reproduce", "--output", str(tmp_path), "--starts", "2", "--workers", "1"]) == 2
+    assert "fig4: games are missing" in capsys.readouterr().err
+    assert not (tmp_path / "fig4.png").exists()
 
 
 def test_the_paper_is_reproduced_with_a_report(tmp_path, capsys):
