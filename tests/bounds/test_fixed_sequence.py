@@ -209,3 +209,18 @@ def test_rejects_an_evader_as_fast_as_the_pursuer():
     team, _ = random_game(np.random.default_rng(0), 3)
     with pytest.raises(covey.InputError, match="slower than the pursuer"):
         covey.plan_for_sequence(team, covey.PursuerDisk(speed=0.25), [0, 1, 2])
+
+
+@pytest.mark.parametrize("mixed", [False, True])
+def test_turns_are_at_most_half_turns_whatever_the_headings_without_a_turn_limit(mixed):
+    """The search may wind round; only the direction counts for who turns at once."""
+    for seed in range(30):
+        generator = np.random.default_rng(seed)
+        team, disk = random_game(generator, 3)
+        rates = [math.inf, 1.0, math.inf] if mixed else math.inf
+        headings = generator.uniform(-9.0, 9.0, 3)
+        team = covey.Team(team.positions, headings, team.speeds, rates)
+        plan = covey.plan_for_sequence(team, disk, generator.permutation(3))
+        assert np.abs(plan.turns).max() <= math.pi
+        reached = wrap_angle(team.headings + plan.turns - plan.goal_headings)
+        assert np.abs(reached).max() < 1e-12

@@ -8,6 +8,7 @@ import pytest
 
 import covey
 from covey.cli import main
+from covey.studies.running.games import play_start
 
 SMALL = """
 starts = 20
@@ -70,25 +71,40 @@ def test_a_study_that_comes_with_covey_is_meant(capsys):
 
 @pytest.fixture
 def broken(monkeypatch):
-    """No game can be played."""
+    """No game with start 0 can be played."""
 
-    def fail(study, start):
-        raise ZeroDivisionError("no heading")
+    def play(study, start):
+        if start == 0:
+            raise ZeroDivisionError("no heading")
+        return play_start(study, start)
 
-    monkeypatch.setattr("covey.studies.running.worker.play_start", fail)
-
-
-def test_no_games_are_lost_silently(file, capsys, broken):
-    with pytest.raises(SystemExit, match="1"):
-        main(["study", "small.toml", "--workers", "1"])
-    assert "starts 0 to 15 are missing: start 0 (seed" in capsys.readouterr().err
+    monkeypatch.setattr("covey.studies.running.worker.play_start", play)
 
 
-def test_no_figure_is_drawn_where_games_are_missing(tmp_path, capsys, broken, monkeypatch):
+def test_no_games_are_lost_silently(file, broken, capsys):
+    assert main(["study", "small.toml", "--workers", "1"]) == 3
+    output = capsys.readouterr()
+    assert "Means over 4 starts" in output.out
+    head, line = output.err.splitlines()[-2:]
+    assert head == ("covey: results/small: games are missing; run the study again to try them anew")
+    assert line.startswith("  starts 0 to 15 are missing: start 0 (seed ")
+
+
+def test_no_games_are_lost_silently_in_json(file, broken, capsys):
+    assert main(["study", "small.toml", "--workers", "1", "--json"]) == 3
+    output = capsys.readouterr()
+    told = json.loads(output.out)
+    assert not told["complete"]
+    assert [line.partition(":")[0] for line in told["failures"]] == ["starts 0 to 15 are missing"]
+    assert {case["starts"] for case in told["cases"]} == {4}
+    assert "games are missing; run the study again" in output.err
+
+
+def test_the_paper_is_not_reproduced_without_all_games(tmp_path, broken, monkeypatch, capsys):
     monkeypatch.setattr("covey.cli.commands.reproduce._reproduce_game", lambda folder: None)
-    assert main(["reproduce", "--output", str(tmp_path), "--starts", "2", "--workers", "1"]) == 2
-    assert "fig4: games are missing" in capsys.readouterr().err
-    assert not (tmp_path / "fig4.png").exists()
+    assert main(["reproduce", "-o", str(tmp_path), "--starts", "2", "--workers", "1"]) == 3
+    assert "fig4: games are missing; run the study again" in capsys.readouterr().err
+    assert not (tmp_path / "report.md").exists()
 
 
 def test_the_paper_is_reproduced_with_a_report(tmp_path, capsys):

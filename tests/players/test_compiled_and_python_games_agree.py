@@ -86,3 +86,10 @@ def test_games_that_are_stopped(evaders, kind, sensing, time_limit):
             time_limit=time_limit,
         )
         assert differences(compiled, in_python) == []
+
+
+def test_with_more_than_eight_restarts():
+    team, disk = random_game(np.random.default_rng(4), 6)
+    evaders = covey.IterativeOpenLoop(starts=3, restarts=13)
+    games = play_both_ways(team, disk, evaders, covey.CommittedPursuer(), 4, update_time=0.2)
+    assert differences(*games) == []

@@ -76,6 +76,20 @@ def test_a_random_team_stands_in_a_square_around_the_pursuer_and_flies_away(tmp_
     np.testing.assert_allclose(team.headings, np.arctan2(offsets[:, 1], offsets[:, 0]), rtol=1e-12)
 
 
+def test_away_is_away_from_the_centre_of_the_disk_wherever_that_is(tmp_path):
+    positions = [(4.0, 1.0), (3.0, 3.0), (1.0, 1.0), (3.0, 0.0), (0.0, 0.0)]
+    evaders = "".join(f"[[team.evaders]]\nposition = [{x}, {y}]\n" for x, y in positions)
+    team = loaded(tmp_path, "[pursuer]\ncenter = [3, 1]\n" + evaders).team
+    headings = [0.0, math.pi / 2, math.pi, -math.pi / 2, math.atan2(-1.0, -3.0)]
+    assert team.headings.tolist() == headings
+
+
+def test_at_the_centre_of_the_disk_wherever_that_is_nothing_is_away(tmp_path):
+    there = "[pursuer]\ncenter = [3, 1]\n[[team.evaders]]\nposition = [3, 1]\n"
+    with pytest.raises(covey.InputError, match="heading: expected a heading in radians, got"):
+        loaded(tmp_path, there)
+
+
 def test_the_seed_of_the_game_places_a_team_without_one_of_its_own(tmp_path):
     free = "[team.random]\ncount = 2\n[game]\nseed = 7\n"
     fixed = free.replace("count", "seed = 1\ncount")

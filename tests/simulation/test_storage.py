@@ -16,10 +16,11 @@ import pyarrow.parquet as pq
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from hypothesis.extra.numpy import arrays
 
 import covey
-from covey.simulation.storage import FORMAT, is_parquet, whole_file
+from covey.simulation.files import check_writable, whole_file
+from covey.simulation.storage import FORMAT, _checksum, is_parquet
+from random_games import extent, games
 
 
 def identical(one, other):
@@ -34,7 +35,6 @@ def identical(one, other):
     return type(one) is type(other) and one == other
 
 
-_finite = st.floats(-1e100, 1e100)
 _parameters = st.dictionaries(
     st.sampled_from(["margin", "starts", "sequence", "note"]),
     st.none()
@@ -48,48 +48,15 @@ _parameters = st.dictionaries(
 
 @st.composite
 def records(draw):
-    """Records of any numbers at all (but NaN, which no record holds), whatever they mean."""
-    rows, count = draw(st.integers(1, 4)), draw(st.integers(1, 4))
-    captured = draw(st.integers(0, count))
-
-    def floats(*shape):
-        return draw(arrays(np.float64, shape, elements=st.floats(allow_nan=False)))
-
-    def ints(*shape):
-        return draw(arrays(np.int64, shape, elements=st.integers(-1, count - 1)))
-
-    rates = st.floats(0.0, 1e100) | st.just(math.inf)
-    speeds = st.floats(0.0, 1e100)
-    return covey.Game(
-        team=covey.Team(
-            draw(arrays(np.float64, (count, 2), elements=_finite)),
-            draw(arrays(np.float64, count, elements=_finite)),
-            draw(arrays(np.float64, count, elements=speeds)),
-            draw(arrays(np.float64, count, elements=rates)),
-        ),
-        disk=covey.PursuerDisk((draw(_finite), draw(_finite)), draw(speeds), 1.0, draw(speeds)),
-        sensing=draw(st.sampled_from(["hidden", "visible"])),
-        update_time=draw(_finite),
+    """Records of any game in any unit, of strategies with any parameters."""
+    team, disk, _ = draw(games())
+    step = (extent(team, disk) or 1.0) / disk.speed
+    game = covey.simulate(team, disk, evaders=covey.HoldCourse(), update_time=step)
+    return dataclasses.replace(
+        game,
         seed=draw(st.integers(0, 2**80)),
         objective={"name": "any", **draw(_parameters)},
         strategies={side: {"name": side, **draw(_parameters)} for side in ("evaders", "pursuer")},
-        status=draw(st.sampled_from(covey.GameStatus)),
-        guarantee=draw(_finite),
-        survival_time=draw(st.floats(allow_nan=False)),
-        planned_value=draw(_finite),
-        value=draw(st.floats(allow_nan=False)),
-        capture_sequence=ints(captured),
-        capture_times=floats(captured),
-        times=floats(rows),
-        evader_positions=floats(rows, count, 2),
-        evader_headings=floats(rows, count),
-        evader_turns=floats(rows, count),
-        guarantees=floats(rows),
-        critical_sequences=ints(rows, count),
-        pursuer_sequences=ints(rows, count),
-        pursuer_positions=floats(rows, 2),
-        disk_centers=floats(rows, 2),
-        disk_radii=floats(rows),
     )
 
 
@@ -155,12 +122,38 @@ def test_other_readers_find_one_number_a_column_and_strict_json(game, saved):
     assert told["team"]["turn_rates"] == [{"float": "inf"}, 1.0]
 
 
-def test_a_file_is_replaced_and_folders_are_made(game, tmp_path):
-    path = tmp_path / "new" / "folder" / "game.parquet"
+def test_a_file_is_replaced(game, tmp_path):
+    path = tmp_path / "game.parquet"
     covey.save_game(game, path)
     covey.save_game(dataclasses.replace(game, seed=5), path)
     assert covey.load_game(path).seed == 5
-    assert list(path.parent.iterdir()) == [path]
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_missing_folder_is_not_made_but_told(game, tmp_path):
+    folder = tmp_path / "new" / "folder"
+    with pytest.raises(FileNotFoundError, match="can't be written: there is no folder") as caught:
+        covey.save_game(game, folder / "game.parquet")
+    assert caught.value.strerror.endswith(f"{folder}; make it first: mkdir -p {folder}")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", ["a" * 300, "none/a", "file/a"])
+def test_what_cannot_be_written_is_known_before(name, tmp_path):
+    (tmp_path / "file").write_bytes(b"")
+    path = tmp_path / name
+    with pytest.raises(OSError, match="can't be written: ") as before:
+        check_writable(path)
+    with pytest.raises(OSError, match="can't be written: ") as then, whole_file(path):
+        pass
+    assert str(before.value) == str(then.value)
+
+
+def test_the_check_leaves_nothing(tmp_path):
+    (tmp_path / "there").write_bytes(b"old")
+    for name in ("there", "new"):
+        check_writable(tmp_path / name)
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == {"there": b"old"}
 
 
 def test_a_new_file_may_be_read_by_whom_the_user_lets(tmp_path):
@@ -237,14 +230,26 @@ def test_another_table_is_refused(tmp_path):
     assert refused(path) == "expected the record of a game, got a Parquet file of something else"
 
 
-def test_a_newer_format_is_refused_with_what_to_do(saved):
+@pytest.mark.parametrize("unknown", [FORMAT + 1, 0, "1", None])
+def test_an_unknown_format_is_refused_with_what_to_do(unknown, saved):
     table = pq.read_table(saved)
     header = json.loads(table.schema.metadata[b"covey"])
-    header |= {"format": FORMAT + 1, "version": "99.0"}
+    header |= {"format": unknown, "version": "99.0"}
     pq.write_table(table.replace_schema_metadata({b"covey": json.dumps(header)}), saved)
     message = refused(saved)
-    assert message.startswith(f"written by covey 99.0 in record format {FORMAT + 1}, and this")
-    assert message.endswith("use a newer covey")
+    assert message.startswith(f"written by covey 99.0 in record format {unknown!r}, and this covey")
+    assert message.endswith(f" reads format {FORMAT}; use that covey, or simulate anew")
+
+
+def test_a_record_from_before_there_were_objectives_is_read(game, saved):
+    table = pq.read_table(saved)
+    header = json.loads(table.schema.metadata[b"covey"])
+    for added in ("objective", "planned_value", "value"):
+        del header[added]
+    note = json.dumps(header).encode()
+    notes = {b"covey": note, b"covey_crc32": _checksum(note, table)}
+    pq.write_table(table.replace_schema_metadata(notes), saved)
+    assert identical(covey.load_game(saved), game)
 
 
 @pytest.mark.parametrize("change", ["without checksum", "without time", "header is a list"])

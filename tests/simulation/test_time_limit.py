@@ -83,3 +83,36 @@ def test_whoever_keeps_one_order_is_done_by_the_default_limit(sensing):
             update_time=0.5,
         )
         assert game.status is covey.GameStatus.ALL_CAPTURED, f"seed {seed}"
+
+
+DISK = covey.PursuerDisk(radius=10.0)
+"""Much larger than the team's distance from its centre."""
+
+
+@pytest.mark.parametrize("count", [1, 2, 4])
+def test_a_pursuer_from_the_far_side_of_a_large_disk_is_done_by_the_default_limit(count):
+    positions = [[1.0, 0.1 * i] for i in range(count)]
+    game = covey.simulate(
+        covey.Team(positions, np.zeros(count)),
+        DISK,
+        evaders=covey.HoldCourse(),
+        pursuer=covey.FlyingPursuer(offset=(-1.0, 0.0)),
+        sensing="visible",
+        update_time=0.5,
+    )
+    assert game.status is covey.GameStatus.ALL_CAPTURED
+    if count == 1:
+        assert game.survival_time == pytest.approx((10.0 + 1.0) / 0.75, rel=1e-12)
+
+
+def test_the_default_limit_by_hand():
+    """An evader at d in a disk of radius r is caught within 2 (d + r) / (v_p - v) by then."""
+    game = covey.simulate(
+        covey.Team([[1.0, 0.0]], [0.0]),
+        DISK,
+        evaders=covey.HoldCourse(),
+        pursuer=lambda situation: covey.Fly(),
+        update_time=1.0,
+    )
+    assert game.status is covey.GameStatus.TIME_LIMIT
+    assert game.times[-1] == pytest.approx(2.0 * (1.0 + 10.0) / 0.75, rel=1e-12)

@@ -11,13 +11,14 @@ from pathlib import Path
 from cyclopts import App, CycloptsError
 
 import covey
+from covey.cli.shared.exit_status import (
+    GAMES_MISSING,
+    INPUT_ERROR,
+    INTERRUPTED,
+    OUTPUT_CLOSED,
+    MissingGamesError,
+)
 from covey.kernels.library.errors import BuildError
-
-INPUT_ERROR = 2
-"""Exit status after a mistake in a file or on the command line."""
-
-INTERRUPTED = 130
-"""Exit status after Ctrl-C, as shells have it."""
 
 _HELP = """\
 Plan how a team of turn-limited vehicles survives, as a team and for as long as possible, against \
@@ -35,6 +36,9 @@ Try:
 
 Angles are radians, counter-clockwise from +x; lengths and times are in any consistent unit. \
 Evaders are numbered from 0.
+
+Exit status: 0; 2 after a mistake in a file or on the command line; 3 if games of a study could \
+not be played; 130 after Ctrl-C; 1 if nobody reads the output to its end.
 """
 
 COMMANDS = (
@@ -79,8 +83,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        0; 2 after a mistake in a file or on the command line; 130 after Ctrl-C; 1 if nobody reads
-        the output to its end.
+        0, or one of those in `shared.exit_status`.
     """
     try:
         app(arguments, exit_on_error=False, print_error=False, result_action="return_value")
@@ -97,15 +100,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _failed(str(error))
     except BuildError as error:
         return _failed(str(error))
+    except MissingGamesError as error:
+        return _failed(str(error), GAMES_MISSING)
     except KeyboardInterrupt as error:
         print(": ".join(["covey: stopped", *map(str, error.args)]), file=sys.stderr)
         return INTERRUPTED
     return 0
 
 
-def _failed(message: str) -> int:
+def _failed(message: str, status: int = INPUT_ERROR) -> int:
     print(f"covey: {message}", file=sys.stderr)
-    return INPUT_ERROR
+    return status
 
 
 def _help_command(error: CycloptsError) -> str:
@@ -114,9 +119,9 @@ def _help_command(error: CycloptsError) -> str:
 
 
 def _reader_is_gone() -> int:
-    """Return status 1, without a message, after the reader of the output closed it as `head` does.
+    """Return the status, without a message, after the reader closed the output as `head` does.
 
     Where rich notices the closed output first, rich ends the program with the same status.
     """
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    return 1
+    return OUTPUT_CLOSED

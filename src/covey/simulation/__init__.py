@@ -1,7 +1,8 @@
 """How a game is played between two strategies, and the record of what happened.
 
 Read `strategy` and `information` first (what players know and decide), then `settings`, `match` and
-`loop` (the game), then `record`, `time_series`, `build_record`, `storage` and `expected_captures`.
+`loop` (the game), then `record`, `time_series`, `build_record`, `consistency`, `files`,
+`storage` and `expected_captures`.
 """
 
 from covey.simulation.loop import play

@@ -13,10 +13,8 @@ from __future__ import annotations
 import json
 import math
 import os
-import secrets
 import zlib
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Mapping
 from dataclasses import fields
 from importlib.metadata import version
 from pathlib import Path
@@ -25,11 +23,13 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from covey.model import InputError, LastCapture, PursuerDisk, Team
+from covey.simulation.consistency import require_consistent
+from covey.simulation.files import whole_file
 from covey.simulation.record import Game, GameStatus
 from covey.simulation.time_series import time_series
 
 FORMAT = 1
-"""Number of this layout; a reader refuses a higher one, as it can't know what changed."""
+"""Number of this layout; a reader refuses any other, as it can't know what differs."""
 
 _KEY = b"covey"
 _CHECKSUM_KEY = b"covey_crc32"
@@ -39,8 +39,8 @@ _PARQUET_BEGINS = b"PAR1"
 def save_game(game: Game, path: str | os.PathLike[str]) -> None:
     """Save the record of a game as one Parquet file.
 
-    The file is written whole or not at all, and replaces one of the same name. Missing folders are
-    made.
+    The file is written whole or not at all, and replaces one of the same name. Its folder must be
+    there.
 
     Parameters
     ----------
@@ -106,8 +106,8 @@ def load_game(path: str | os.PathLike[str]) -> Game:
     Raises
     ------
     InputError
-        If there is no such file, it isn't a record of a game, is damaged, or comes from a newer
-        version of covey.
+        If there is no such file, it isn't a record of a game, is damaged, holds numbers that no
+        game by the rules has, or comes from another version of the format.
     """
     source = Path(path)
     try:
@@ -125,11 +125,15 @@ def read_game(content: bytes, name: str) -> Game:
     if not content.startswith(_PARQUET_BEGINS):
         raise InputError(f"{name}: expected the record of a game, got a file that isn't Parquet")
     try:
-        return _game(*_read(content))
+        game = _game(*_read(content))
+        require_consistent(game)
     except _NotARecordError as error:
         raise InputError(f"{name}: {error}") from None
+    except InputError as error:
+        raise InputError(f"{name}: it contradicts itself: {error}; simulate anew") from None
     except Exception as error:  # whatever a damaged file makes of its readers
         raise InputError(f"{name}: the record is damaged or cut off; simulate anew") from error
+    return game
 
 
 def is_parquet(path: str | os.PathLike[str]) -> bool:
@@ -139,27 +143,6 @@ def is_parquet(path: str | os.PathLike[str]) -> bool:
             return file.read(len(_PARQUET_BEGINS)) == _PARQUET_BEGINS
     except OSError:
         return False
-
-
-@contextmanager
-def whole_file(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
-    """Open a file for writing that appears under its name when it is complete, or never."""
-    target = Path(path)
-    part = target.with_name(f".{target.name}.{secrets.token_hex(4)}.part")
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        with part.open("xb") as file:
-            yield file
-            file.flush()
-            os.fsync(file.fileno())  # or a power cut could leave the name without the content
-        part.replace(target)
-    except OSError as error:
-        # The error names the caller's file, not the part.
-        reason = error.strerror or str(error)
-        raise OSError(error.errno, f"can't be written: {reason}", str(target)) from error
-    finally:
-        with suppress(OSError):  # the part became the file, or was never made
-            part.unlink()
 
 
 class _NotARecordError(Exception):
@@ -202,10 +185,10 @@ def _read(content: bytes) -> tuple[dict[str, Any], Any]:
             "expected the record of a game, got a Parquet file of something else"
         )
     header = json.loads(notes[_KEY], object_hook=_number)
-    if header["format"] > FORMAT:
+    if header["format"] != FORMAT:
         raise _NotARecordError(
-            f"written by covey {header['version']} in record format {header['format']}, and this "
-            f"covey {version('covey')} reads up to format {FORMAT}; use a newer covey"
+            f"written by covey {header['version']} in record format {header['format']!r}, and this "
+            f"covey {version('covey')} reads format {FORMAT}; use that covey, or simulate anew"
         )
     if notes[_CHECKSUM_KEY] != _checksum(notes[_KEY], table):
         raise ValueError("checksum")

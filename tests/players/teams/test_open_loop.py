@@ -80,6 +80,31 @@ def test_restarts_after_a_capture_find_better_plans(sensing):
     assert better > 0
 
 
+@pytest.mark.parametrize("sensing", ["hidden", "visible"])
+def test_more_than_eight_restarts_vary_the_best_plans_and_find_better_ones(sensing):
+    """The first eight guesses are the same; the others vary what was found, in teams of four up."""
+    better = 0
+    for seed in range(12):
+        team, disk = random_game(np.random.default_rng(seed), 7)
+        at_capture = []
+        for restarts in (8, 24):
+            game = covey.simulate(
+                team,
+                disk,
+                evaders=covey.IterativeOpenLoop(starts=2, restarts=restarts),
+                sensing=sensing,
+                update_time=0.2,
+                seed=seed,
+            )
+            captured = int(np.searchsorted(game.times, game.capture_times[0]))
+            assert np.abs(game.evader_turns).max() <= np.pi
+            assert np.diff(game.times + game.guarantees).min() >= -ROUNDING
+            at_capture.append(game.guarantees[captured])
+        assert at_capture[1] >= at_capture[0] - ROUNDING
+        better += at_capture[1] > at_capture[0] + ROUNDING
+    assert better > 0
+
+
 def _captured_when(game):
     when = np.full(len(game.team), np.inf)
     when[game.capture_sequence] = game.capture_times

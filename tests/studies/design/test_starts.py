@@ -10,6 +10,13 @@ import pytest
 from covey.model import InputError
 from covey.studies import Disk, Formation, FromFile, Square, Study
 
+FROZEN = (
+    [[-0.25272862257503526, -0.17384353878691272], [-0.42298629264415555, -0.39351222472721936]],
+    [-2.5390565183453164, -2.392276950827379],
+    2474225845,
+)
+"""Positions, headings and seed of a start."""
+
 
 def test_a_start_depends_on_the_seed_and_its_number_alone():
     few, many = Study(starts=3, seed=5), Study(starts=300, seed=5, turn_rate=[0.1, 7.0])
@@ -20,6 +27,25 @@ def test_a_start_depends_on_the_seed_and_its_number_alone():
         assert one.seed == other.seed
     assert not np.allclose(few.start(0, 5).positions, few.start(1, 5).positions)
     assert not np.allclose(few.start(0, 5).positions, Study(seed=6).start(0, 5).positions)
+
+
+def test_no_start_is_one_of_a_neighbouring_seed():
+    """Start k of seed s isn't start k - 1 of seed s + 1, as it would be if the two were added."""
+    drawn = [
+        (seed, number, Study(seed=seed).start(number, 2))
+        for seed in range(6)
+        for number in range(6)
+    ]
+    assert len({start.positions.tobytes() for _, _, start in drawn}) == 36
+    assert len({start.seed for _, _, start in drawn}) == 36
+
+
+def test_a_start_is_what_it_was_in_every_version():
+    """Frozen: the positions, headings and seed of start 5 of seed 3."""
+    positions, headings, seed = Study(seed=3).start(5, 2)
+    assert positions.tolist() == FROZEN[0]
+    assert headings == pytest.approx(FROZEN[1], rel=1e-15)
+    assert seed == FROZEN[2]
 
 
 @pytest.mark.parametrize("sampler", [Square(), Square(headings="random"), Disk()])

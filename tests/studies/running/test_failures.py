@@ -105,11 +105,14 @@ def test_a_full_disk_is_an_error_and_leaves_what_is_there(tmp_path, monkeypatch)
 
 def test_a_folder_that_cannot_be_written_to_is_an_error(tmp_path):
     (tmp_path / "file").write_text("mine")
-    with pytest.raises(InputError, match="is a file"):
+    with pytest.raises(InputError, match="file: expected a folder, got a file"):
         run_study(small_study(), tmp_path / "file", workers=1)
-    with pytest.raises(InputError, match="file"):
+    with pytest.raises(InputError, match="results: can't be written to: Not a directory"):
         run_study(small_study(), tmp_path / "file" / "results", workers=1)
+    with pytest.raises(InputError, match=r"there is no folder .*none; make it first: mkdir -p "):
+        run_study(small_study(), tmp_path / "none" / "results", workers=1)
     assert (tmp_path / "file").read_text() == "mine"
+    assert list(tmp_path.iterdir()) == [tmp_path / "file"]
 
 
 @pytest.mark.skipif(not hasattr(os, "geteuid"), reason="chmod doesn't lock folders on Windows")

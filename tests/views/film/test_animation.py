@@ -20,7 +20,7 @@ def test_a_gif_plays_as_long_as_it_should(tmp_path):
     calls = []
     path = animate(
         game_by_hand(),
-        tmp_path / "new" / "game.gif",
+        tmp_path / "game.gif",
         seconds=0.8,
         fps=15,
         progress=lambda *call: calls.append(call),
@@ -35,6 +35,17 @@ def test_a_gif_plays_as_long_as_it_should(tmp_path):
     assert sum(durations) == 1800
     assert size == FrameRenderer(game_by_hand()).frame(0.0).shape[1::-1]
     assert path.stat().st_size < 100_000
+
+
+@pytest.mark.parametrize("ending", ["gif", "mp4"])
+def test_a_film_that_cannot_be_written_is_not_drawn(ending, tmp_path):
+    pytest.importorskip("imageio_ffmpeg")
+    drawn = []
+    with pytest.raises(OSError, match=r"there is no folder .*; make it first: mkdir -p "):
+        animate(
+            game_by_hand(), tmp_path / "no" / f"a.{ending}", progress=lambda *_: drawn.append(1)
+        )
+    assert not drawn
 
 
 def test_frames_are_even_in_time_and_end_with_the_game():

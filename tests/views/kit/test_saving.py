@@ -38,10 +38,16 @@ def test_a_column_of_a_paper_at_300_dots_per_inch(tmp_path):
         assert picture.info["dpi"] == pytest.approx((300.0, 300.0), abs=0.1)
 
 
-def test_missing_folders_are_made(tmp_path):
-    path = save(draw_control(), tmp_path / "a" / "b" / "control.svg")
-    assert path == tmp_path / "a" / "b" / "control.svg"
+def test_the_file_that_was_written_is_returned(tmp_path):
+    path = save(draw_control(), tmp_path / "control.svg")
+    assert path == tmp_path / "control.svg"
     assert path.read_text().startswith("<?xml")
+
+
+def test_a_missing_folder_is_not_made(tmp_path):
+    with pytest.raises(FileNotFoundError, match="there is no folder"):
+        save(draw_control(), tmp_path / "a" / "control.svg")
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize(

@@ -10,10 +10,10 @@ from cyclopts import Parameter
 
 import covey
 from covey import studies, views
-from covey.cli.shared.outputs import check_folder, print_saved, save_picture, write_csv, write_text
+from covey.cli.shared.outputs import print_saved, save_picture, write_csv, write_text
 from covey.cli.shared.sources import read_scenario
 from covey.cli.show.film import save_film
-from covey.cli.show.study import print_study, run_with_progress
+from covey.cli.show.study import print_study, require_all_games, run_with_progress
 from covey.cli.show.tables import print_game
 
 
@@ -42,7 +42,10 @@ def reproduce(
 
         covey reproduce --output results
     """
-    check_folder(output)
+    from covey.simulation.files import make_folder  # only now, as it loads NumPy
+
+    for folder in (output, output / "fig4", output / "fig5"):
+        make_folder(folder)
     game = _reproduce_game(output)
     fig4, fig5 = _reproduce_studies(output, starts, workers)
     _write_report(output, game, fig4, fig5)
@@ -106,8 +109,7 @@ def _study(name: str, folder: Path, starts: int | None, workers: int | None) -> 
         study = replace(study, starts=starts)
     result = run_with_progress(study, folder / name, workers)
     print_study(result)
-    if result.failures:
-        raise covey.InputError(f"{name}: games are missing, so there is no figure")
+    require_all_games(result)
     return result
 
 

@@ -9,9 +9,10 @@ from cyclopts import Parameter
 
 from covey import studies
 from covey.cli.shared.arguments import Json
+from covey.cli.shared.outputs import results_folder
 from covey.cli.shared.sources import path_of
 from covey.cli.show.json_output import print_json
-from covey.cli.show.study import print_study, run_with_progress
+from covey.cli.show.study import print_study, require_all_games, run_with_progress
 
 
 def study(
@@ -46,24 +47,26 @@ def study(
     Every start is played in every case of the study's grid. The tables come out the same, byte for
     byte, for any number of workers and however often the run was stopped and started again.
 
+    Games that can't be played are left out and reported; the exit status is 3 then.
+
     Four studies come with covey and are asked for by name: fig4 and fig5, those of the paper,
     tournament, every team against every pursuer, and objectives, games about other things than the
     last capture.
 
     Try:
 
-        covey study fig4 --output results/fig4
+        covey study fig4 --output fig4
     """
     examples = {each: studies.example_path(each) for each in studies.example_names()}
     path = path_of(file, "study", examples)
-    folder = output or Path("results") / path.stem
-    result = run_with_progress(studies.read_study(path), folder, workers, dask)
+    chosen = studies.read_study(path)
+    folder = results_folder(output, path.stem)
+    result = run_with_progress(chosen, folder, workers, dask)
     if json:
         print_json(_as_json(result))
     else:
         print_study(result)
-    if result.failures:
-        raise SystemExit(1)
+    require_all_games(result)
 
 
 def _as_json(result: studies.StudyResult) -> dict[str, Any]:

@@ -13,14 +13,18 @@ from rich.console import Console
 from rich.table import Table
 
 from covey import studies, views
-from covey.cli.shared.outputs import check_folder, save_picture, write_csv
+from covey.cli.shared.outputs import results_folder, save_picture, write_csv
 
 
 def yardstick(
     *,
     output: Annotated[
-        Path, Parameter(name=["--output", "-o"], help="Folder for the tables and the picture.")
-    ] = Path("results/yardstick"),
+        Path | None,
+        Parameter(
+            name=["--output", "-o"],
+            help="Folder for the tables and the picture; by default results/yardstick.",
+        ),
+    ] = None,
     pairs: Annotated[int, Parameter(help="Starts of each kind and couple of speeds.")] = 50,
     cells: Annotated[
         int, Parameter(help="Of the finest grid of the value; a quarter is computed first.")
@@ -38,10 +42,10 @@ def yardstick(
 
         covey yardstick --pairs 5 --cells 64
     """
-    check_folder(output)
+    folder = results_folder(output, "yardstick")
     measured = _measure_all(pairs, cells, seed)
     _print(measured)
-    _save(measured, output)
+    _save(measured, folder)
 
 
 def _measure_all(pairs: int, cells: int, seed: int) -> list[studies.Yardstick]:

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import csv
-import errno
 import io
-import os
 import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -13,6 +11,9 @@ from typing import Any
 
 import covey
 from covey import views
+
+_RESULTS = Path("results")
+"""Folder of all results for which no other is asked for."""
 
 
 def check_output(path: Path, endings: Sequence[str], what: str) -> None:
@@ -22,18 +23,23 @@ def check_output(path: Path, endings: Sequence[str], what: str) -> None:
         raise covey.InputError(f"{path}: expected a name that ends in {wanted} for {what}")
     if path.is_dir():
         raise covey.InputError(f"{path}: expected the name of a file, got a folder")
-    check_folder(path.parent)
+    from covey.simulation.files import check_writable  # only now, as it loads NumPy
+
+    check_writable(path)
 
 
-def check_folder(folder: Path) -> None:
-    """Make `folder`, and raise OSError unless it takes new files."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        reason = f"the folder can't be made: {error.strerror}"
-        raise OSError(error.errno, reason, str(folder)) from error
-    if not os.access(folder, os.W_OK | os.X_OK):
-        raise PermissionError(errno.EACCES, "can't write to this folder", str(folder))
+def results_folder(asked_for: Path | None, name: str) -> Path:
+    """Return the folder for results: what was asked for, or else `name` in results/, and make it.
+
+    Raises InputError if it can't be made, or takes no files.
+    """
+    from covey.simulation.files import make_folder  # only now, as it loads NumPy
+
+    if asked_for is None:
+        make_folder(_RESULTS)
+    folder = _RESULTS / name if asked_for is None else asked_for
+    make_folder(folder)
+    return folder
 
 
 def write_csv(path: Path, heads: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
@@ -47,7 +53,7 @@ def write_csv(path: Path, heads: Sequence[str], rows: Iterable[Sequence[object]]
 
 def write_text(path: Path, text: str) -> None:
     """Write a text, and say where it is."""
-    from covey.simulation.storage import whole_file  # only now, as it loads NumPy
+    from covey.simulation.files import whole_file  # only now, as it loads NumPy
 
     with whole_file(path) as file:
         file.write(text.encode())

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 from rich.box import SIMPLE_HEAD
@@ -18,6 +17,7 @@ from rich.progress import (
 from rich.table import Table
 
 from covey import studies
+from covey.cli.shared.exit_status import MissingGamesError
 from covey.cli.shared.outputs import print_saved
 from covey.cli.show.comparison import print_comparison
 from covey.kernels.library.load import load_library
@@ -60,7 +60,7 @@ def run_with_progress(
 
 
 def print_study(result: studies.StudyResult) -> None:
-    """Print a line for each case, or the tables of a comparison, and which games are missing."""
+    """Print a line for each case, or the tables of a comparison."""
     console = Console(highlight=False)
     compared = studies.comparison(result)
     if compared is not None:
@@ -68,10 +68,13 @@ def print_study(result: studies.StudyResult) -> None:
     else:
         _print_cases(console, result)
     print_saved(result.folder)
-    for failure in result.failures:
-        print(f"covey: {failure}", file=sys.stderr)
+
+
+def require_all_games(result: studies.StudyResult) -> None:
+    """Raise MissingGamesError if games could not be played."""
     if result.failures:
-        print("covey: run the study again to try the missing games anew", file=sys.stderr)
+        head = f"{result.folder}: games are missing; run the study again to try them anew"
+        raise MissingGamesError("\n  ".join([head, *result.failures]))
 
 
 def _print_cases(console: Console, result: studies.StudyResult) -> None:

@@ -1,5 +1,5 @@
 """Plays the games of a study and stores them, so that a run can be stopped and resumed.
 
 Read in this order: `run`, `chunks`, `scheduler`, `executors`, `worker`, `games`, `tables`,
-`result_files`, `lock`, `manifest`, `provenance`, `results`.
+`parts`, `result_files`, `lock`, `manifest`, `provenance`, `results`.
 """

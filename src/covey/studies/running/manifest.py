@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from covey.model import InputError
-from covey.simulation.storage import whole_file
+from covey.kernels.minimum.last_capture import MOST_EVADERS
+from covey.model import InputError, LastCapture
+from covey.model.validation import choice, whole_number
+from covey.simulation.files import whole_file
+from covey.simulation.settings import SENSING
+from covey.studies.design.case import GRID
 from covey.studies.design.study import Study, flattened
 from covey.studies.running.chunks import chunks_of, starts_per_chunk
+from covey.studies.running.parts import Extent
 from covey.studies.running.provenance import machine, versions
+from covey.studies.running.tables import described_text
 
 FORMAT = 1
 NAME = "manifest.json"
@@ -45,19 +52,70 @@ def read_manifest(folder: Path) -> dict[str, Any] | None:
     """Return the manifest of a folder, or None if the folder has none."""
     path = folder / NAME
     try:
-        manifest: dict[str, Any] = json.loads(path.read_bytes())
+        content: Any = json.loads(path.read_bytes())
     except FileNotFoundError:
         return None
     except OSError as error:
         raise InputError(f"{path}: can't be read: {error.strerror}") from error
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(f"{path}: expected the manifest of a study, got {error}") from error
+    manifest: dict[str, Any] = content if isinstance(content, dict) else {}
     if manifest.get("format") != FORMAT:
         raise InputError(
             f"{path}: expected the manifest of a study in format {FORMAT}, "
-            f"got format {manifest.get('format')}"
+            f"got format {manifest.get('format')!r}"
         )
+    try:
+        _complete(manifest)
+        _require_counts(manifest)
+        _require_grid(manifest["study"]["grid"])
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        raise InputError(f"{path}: the manifest of the study is damaged: {error}") from error
     return manifest
+
+
+def extent_of(manifest: Mapping[str, Any], number: int) -> Extent:
+    """Return the games of the part of a number."""
+    cases, games = manifest["cases"], manifest["games"]
+    step = manifest["parts"]["starts_per_part"] * cases
+    size = max(manifest["study"]["grid"]["team_size"])
+    return Extent(number * step, min((number + 1) * step, games), cases, size)
+
+
+def _complete(manifest: Mapping[str, Any]) -> None:
+    """Add what early versions of covey did not write down: that the last capture counted."""
+    manifest["study"]["grid"].setdefault("objective", [LastCapture().describe()])
+
+
+def _require_counts(manifest: Mapping[str, Any]) -> None:
+    """Raise any error unless the numbers of cases, games and parts follow from the study."""
+    study, parts = manifest["study"], manifest["parts"]
+    cases = math.prod(len(study["grid"][name]) for name in GRID)
+    starts, step = whole_number("starts", study["starts"], low=1), parts["starts_per_part"]
+    wanted = [cases, cases * starts, math.ceil(starts / whole_number("step", step, low=1))]
+    came = [manifest["cases"], manifest["games"], parts["count"]]
+    if came != wanted or cases == 0:
+        raise ValueError(f"expected cases, games, parts to be {wanted}, got {came}")
+    if not isinstance(study["trajectories"], bool) or not isinstance(manifest["versions"], dict):
+        raise TypeError("expected trajectories: true or false, versions: a table")
+
+
+def _require_grid(grid: Mapping[str, Any]) -> None:
+    """Raise any error unless the values of all cases are of their kinds."""
+    for name in GRID:
+        for value in grid[name]:
+            _require_value(name, value)
+
+
+def _require_value(name: str, value: Any) -> None:
+    if name in ("objective", "evaders", "pursuer"):
+        described_text(value)
+    elif name == "sensing":
+        choice(name, value, SENSING)
+    elif not isinstance(value, int | float):
+        raise TypeError(f"{name}: expected a number, got {value!r}")
+    elif name == "team_size" and whole_number(name, value, low=1) > MOST_EVADERS:
+        raise ValueError(f"{name}: expected at most {MOST_EVADERS}, got {value}")
 
 
 def refuse_differences(folder: Path, before: Mapping[str, Any], now: Mapping[str, Any]) -> None:

@@ -12,16 +12,16 @@ run to run, such as times of the clock, are written to the log only.
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from covey.model import InputError
-from covey.simulation.storage import whole_file
+from covey.simulation.files import make_folder, whole_file
+from covey.studies.design.study import Study
 from covey.studies.running.chunks import Chunk
-from covey.studies.running.tables import GAMES, TRAJECTORIES, decoded, encoded
+from covey.studies.running.parts import DamagedPartError, Extent, read_part
+from covey.studies.running.tables import GAMES, TRAJECTORIES, encoded
 from covey.studies.running.worker import ChunkResult
 
 LOG = "log.jsonl"
@@ -29,17 +29,8 @@ LOG = "log.jsonl"
 
 def prepare(folder: Path, *, trajectories: bool) -> None:
     """Make a results folder, and check before any work that files can be written to it."""
-    parts = [folder / kind for kind in ([GAMES, TRAJECTORIES] if trajectories else [GAMES])]
-    try:
-        for path in parts:
-            path.mkdir(parents=True, exist_ok=True)
-    except (FileExistsError, NotADirectoryError) as error:
-        raise InputError(f"{folder}: expected a folder, but {error.filename} is a file") from error
-    except OSError as error:
-        raise InputError(f"{folder}: can't be written to: {error.strerror}") from error
-    for path in (folder, *parts):
-        if not os.access(path, os.W_OK | os.X_OK):
-            raise InputError(f"{path}: can't be written to: permission denied")
+    for path in (folder, *(folder / kind for kind in kinds(trajectories))):
+        make_folder(path)
 
 
 def remove_leftovers(folder: Path) -> None:
@@ -50,30 +41,33 @@ def remove_leftovers(folder: Path) -> None:
 
 
 def save_chunk(folder: Path, chunk: Chunk, result: ChunkResult) -> None:
-    """Write the files of a chunk. The table of games comes last: it marks the chunk as complete."""
+    """Write the files of a chunk, the table of games last."""
     if result.trajectories is not None:
-        _write(_part(folder, TRAJECTORIES, chunk), result.trajectories)
-    _write(_part(folder, GAMES, chunk), result.games)
+        _write(_part(folder, TRAJECTORIES, chunk.number), result.trajectories)
+    _write(_part(folder, GAMES, chunk.number), result.games)
 
 
-def is_saved(folder: Path, chunk: Chunk, cases: int) -> bool:
-    """Return whether the table of a chunk's games exists and is undamaged.
+def is_saved(folder: Path, chunk: Chunk, study: Study) -> bool:
+    """Return whether all files of a chunk exist and are undamaged."""
+    cases = len(study.cases)
+    extent = Extent(chunk.first * cases, chunk.last * cases, cases, max(study.team_size))
+    return all(
+        _is_whole(_part(folder, kind, chunk.number), kind, extent)
+        for kind in kinds(study.trajectories)
+    )
+
+
+def _is_whole(path: Path, kind: str, extent: Extent) -> bool:
+    """Return whether a file is the part of its games.
 
     Equal tables are encoded to equal bytes. So a file is damaged if its table, encoded again,
     differs from it. Parquet's own checksums do not cover the whole file.
     """
-    import pyarrow as pa
-
     try:
-        content = _part(folder, GAMES, chunk).read_bytes()
-        table = decoded(content)
-        numbers = table["game"]
-        if encoded(table) != content:
-            return False
-    except (OSError, KeyError, pa.ArrowException):  # missing or damaged
+        content = path.read_bytes()
+        return encoded(read_part(content, kind, extent)) == content
+    except (OSError, DamagedPartError):  # missing or damaged
         return False
-    count = (chunk.last - chunk.first) * cases
-    return len(numbers) == count and numbers[0].as_py() == chunk.first * cases
 
 
 def append_to_log(folder: Path, entry: Mapping[str, Any]) -> None:
@@ -82,13 +76,19 @@ def append_to_log(folder: Path, entry: Mapping[str, Any]) -> None:
         file.write(json.dumps(entry) + "\n")
 
 
-def part_files(folder: Path, kind: str = GAMES) -> list[Path]:
-    """Return the files of all saved chunks, in the order of their games."""
-    return sorted((folder / kind).glob("part-*.parquet"))
+def part_files(folder: Path, kind: str, count: int) -> dict[int, Path]:
+    """Return the files that are there of `count` chunks, by the numbers of the chunks."""
+    paths = {number: _part(folder, kind, number) for number in range(count)}
+    return {number: path for number, path in paths.items() if path.exists()}
 
 
-def _part(folder: Path, kind: str, chunk: Chunk) -> Path:
-    return folder / kind / f"part-{chunk.number:05d}.parquet"
+def kinds(trajectories: bool) -> tuple[str, ...]:
+    """Return the tables of a study, each a folder of parts."""
+    return (GAMES, TRAJECTORIES) if trajectories else (GAMES,)
+
+
+def _part(folder: Path, kind: str, number: int) -> Path:
+    return folder / kind / f"part-{number:05d}.parquet"
 
 
 def _write(path: Path, content: bytes) -> None:

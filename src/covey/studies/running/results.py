@@ -9,11 +9,12 @@ from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from covey.model import InputError, LastCapture
+from covey.model import InputError
 from covey.studies.design.case import GRID
-from covey.studies.running.manifest import NAME, read_manifest
-from covey.studies.running.result_files import part_files
-from covey.studies.running.tables import TRAJECTORIES, decoded
+from covey.studies.running.manifest import NAME, extent_of, read_manifest
+from covey.studies.running.parts import DamagedPartError, read_part
+from covey.studies.running.result_files import kinds, part_files
+from covey.studies.running.tables import GAMES, TRAJECTORIES
 from covey.studies.statistics import Moments, moments_of
 
 if TYPE_CHECKING:
@@ -44,8 +45,6 @@ class StudyResult:
     def study(self) -> dict[str, Any]:
         """The study with the keys and values of a study file."""
         described: dict[str, Any] = self.manifest["study"]
-        # Early versions of covey knew the last capture only, and did not write it down.
-        described["grid"].setdefault("objective", [LastCapture().describe()])
         return described
 
     @property
@@ -79,9 +78,10 @@ class StudyResult:
 
     @property
     def is_complete(self) -> bool:
-        """Whether all chunks have been played."""
-        count: int = self.manifest["parts"]["count"]
-        return len(part_files(self.folder)) == count
+        """Whether all chunks have been played, and all their files are there."""
+        count = self.manifest["parts"]["count"]
+        tables = kinds(self.study["trajectories"])
+        return all(len(part_files(self.folder, kind, count)) == count for kind in tables)
 
     @property
     def games(self) -> pa.Table:
@@ -96,13 +96,22 @@ class StudyResult:
 
     def parts(self) -> Iterator[pa.Table]:
         """Return the table of games part by part, for studies larger than the memory."""
-        for path in part_files(self.folder):
-            yield _table(path)
+        return self._tables(GAMES)
 
     def trajectories(self) -> Iterator[pa.Table]:
         """Return the trajectories of the games part by part; none if they were not stored."""
-        for path in part_files(self.folder, TRAJECTORIES):
-            yield _table(path)
+        return self._tables(TRAJECTORIES)
+
+    def _tables(self, kind: str) -> Iterator[pa.Table]:
+        count = self.manifest["parts"]["count"]
+        for number, path in part_files(self.folder, kind, count).items():
+            try:
+                yield read_part(path.read_bytes(), kind, extent_of(self.manifest, number))
+            except DamagedPartError as error:
+                raise InputError(
+                    f"{path}: the part is damaged: {error}; run the study again, which plays it "
+                    "anew"
+                ) from error
 
     @cached_property
     def moments(self) -> Moments:
@@ -131,21 +140,10 @@ def load_study(folder: str | os.PathLike[str]) -> StudyResult:
     Raises
     ------
     InputError
-        If the folder holds no study.
+        If the folder holds no study. Its parts are checked when they are read.
     """
     path = Path(folder)
     manifest = read_manifest(path)
     if manifest is None:
         raise InputError(f"{path}: expected the results of a study, but there is no {NAME}")
     return StudyResult(path, manifest)
-
-
-def _table(path: Path) -> pa.Table:
-    import pyarrow as pa
-
-    try:
-        return decoded(path.read_bytes())
-    except pa.ArrowException as error:
-        raise InputError(
-            f"{path}: the part is damaged; run the study again, which plays it anew"
-        ) from error

@@ -95,7 +95,7 @@ def _play_missing(
 ) -> list[Failure]:
     """Play the chunks that have no file yet, and write the log of this run."""
     cases, chunks = len(study.cases), chunks_of(study)
-    missing = [chunk for chunk in chunks if not result_files.is_saved(folder, chunk, cases)]
+    missing = [chunk for chunk in chunks if not result_files.is_saved(folder, chunk, study)]
     done = study.games - cases * sum(chunk.last - chunk.first for chunk in missing)
     report = progress or (lambda _done, _all: None)
     report(done, study.games)

@@ -33,7 +33,7 @@ def games_table(study: Study, games: Iterable[StudyGame]) -> pa.Table:
 
     cases = [_case_columns(case) for case in study.cases]
     rows = [cases[game.case] | _game_columns(game) for game in games]
-    return pa.Table.from_pylist(rows, schema=_schema(max(study.team_size)))
+    return pa.Table.from_pylist(rows, schema=schema(GAMES, max(study.team_size)))
 
 
 def _case_columns(case: Case) -> dict[str, Any]:
@@ -69,9 +69,13 @@ def described_text(strategy: Mapping[str, Any]) -> str:
     return f"{strategy['name']} ({parameters})" if parameters else str(strategy["name"])
 
 
-def _schema(size: int) -> pa.Schema:
+def schema(kind: str, size: int) -> pa.Schema:
+    """Return the columns of `GAMES` or `TRAJECTORIES` of teams of up to `size`."""
     import pyarrow as pa
 
+    if kind == TRAJECTORIES:
+        names = _trajectory_columns(size)
+        return pa.schema([("game", pa.int64()), *((name, pa.float32()) for name in names)])
     types: dict[str, Any] = {"game": pa.int64(), "start": pa.int64(), "case": pa.int32()}
     types |= {name: pa.string() if name in _TEXTS else pa.float64() for name in GRID}
     types |= {"team_size": pa.int32(), "seed": pa.int64()}

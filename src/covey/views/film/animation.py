@@ -10,6 +10,7 @@ import numpy as np
 
 from covey.model.validation import Floats, number
 from covey.simulation import Game
+from covey.simulation.files import check_writable
 from covey.views.film.frames import Frame, FrameRenderer
 from covey.views.film.gif import save_gif
 from covey.views.film.mp4 import require_video, save_mp4
@@ -37,8 +38,8 @@ def animate(
     game
         The record of a game.
     path
-        Ends in .gif, or in .mp4 where the extra `video` is installed. Missing folders are made, and
-        an existing file is replaced.
+        Ends in .gif, or in .mp4 where the extra `video` is installed. The folder must be there; an
+        existing file is replaced.
     seconds
         Length of the game on the screen.
     fps
@@ -64,6 +65,7 @@ def animate(
     length = number("seconds", seconds, low=0.0, strictly=True)
     if suffix == ".mp4":
         require_video()
+    check_writable(path)  # before all frames are drawn
     renderer, times = FrameRenderer(game), frame_times(game, length, rate)
     frames = _reported(renderer, times, progress)
     if suffix == ".gif":

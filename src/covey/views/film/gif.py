@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from covey.simulation.storage import whole_file
+from covey.simulation.files import whole_file
 from covey.views.film.frames import Frame
 
 _COLORS = 64

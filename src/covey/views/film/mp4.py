@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from covey.model import InputError
-from covey.simulation.storage import whole_file
+from covey.simulation.files import whole_file
 from covey.views.film.frames import Frame
 
 

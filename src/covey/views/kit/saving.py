@@ -10,7 +10,7 @@ from typing import Any
 from matplotlib.figure import Figure
 
 from covey.model import InputError
-from covey.simulation.storage import whole_file
+from covey.simulation.files import whole_file
 from covey.views.kit.style import styled
 
 STILLS = (".png", ".svg", ".pdf")
@@ -25,7 +25,7 @@ _NO_DATES: dict[str, dict[str, Any]] = {
 
 @styled
 def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
-    """Save a picture. Missing folders are made, and an existing file is replaced.
+    """Save a picture in a folder that is there; an existing file is replaced.
 
     Parameters
     ----------
