@@ -83,8 +83,11 @@ def test_no_time_still_gives_a_plan(game):
     assert plan.turns.tolist() == covey.plan(*game, starts=1).turns.tolist()
 
 
-def test_enough_time_changes_nothing(game):
-    assert as_values(covey.plan(*game, time_limit=600.0)) == as_values(covey.plan(*game))
+@pytest.mark.parametrize("starts", [6, None])
+def test_enough_time_changes_nothing(game, starts):
+    """With a time limit ascents run in parallel, four at a time; six are not a multiple of it."""
+    in_parallel = covey.plan(*game, starts=starts, time_limit=600.0)
+    assert as_values(in_parallel) == as_values(covey.plan(*game, starts=starts))
 
 
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-12])

@@ -6,10 +6,12 @@ import math
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import covey
 from covey.bounds.fixed_sequence import plan_for_sequence
 from frames import Frame
+from kernels.reference_game import gap
 from random_games import random_game
 
 FOUND_TO = 3e-3
@@ -162,6 +164,22 @@ def test_largest_distance_to_a_pursuer_that_flies_away(frame):
     team = agile([(0.3, 0.0), (0.0, 0.5)], headings=[0.0, 2.0])
     headings = first_headings(frame, team, DISK, covey.LargestDistance())
     assert off(headings, [0.0, math.atan2(0.5, -0.4)]).max() < FOUND_TO
+
+
+def test_largest_distance_where_it_only_grows_is_the_latest_capture_after_the_first(frame):
+    """The pursuer meets evader 0 at (0.4, 0), at 0.4. From there it would fly to evader 1.
+
+    A pursuit that began there at time 0 would end while evader 1 turns, whatever its turn.
+    """
+    team = covey.Team([(0.3, 0.0), (-0.2, 0.3)], [0.0, 1.35], 0.25, [math.inf, 1.2])
+    headings = first_headings(frame, team, DISK, covey.LargestDistance())
+
+    def capture(turn):
+        pursuit = (np.array([0.4, 0.0]), 0.0, 0.4, 1.0)
+        return brentq(lambda time: gap(team, [0.0, turn], 1, *pursuit, time), 0.4, 5.0)
+
+    best = max(map(capture, np.linspace(-math.pi, math.pi, 201)))
+    assert capture(headings[1] - 1.35) == pytest.approx(best, abs=1e-4)
 
 
 def test_largest_distance_to_a_pursuer_that_comes_by(frame):
