@@ -250,6 +250,26 @@ class Damaged:
         return sink.getvalue().to_pybytes()
 
 
+def test_more_evaders_than_can_play_are_refused():
+    """Before their table is looked at: the checks take memory by the square of the team."""
+    row = {
+        name: np.repeat(getattr(RECORDS[5], name)[:1], 21, axis=1)
+        for name in ("evader_positions", "evader_headings", "evader_turns", "pursuer_sequences")
+    }
+    crowd = dataclasses.replace(
+        RECORDS[5],
+        **row,
+        **{
+            name: getattr(RECORDS[5], name)[:1]
+            for name in ("times", "guarantees", "pursuer_positions", "disk_centers", "disk_radii")
+        },
+        team=RECORDS[5].team.take(np.zeros(21, np.int64)),
+        critical_sequences=np.arange(21)[None],
+    )
+    with pytest.raises(covey.InputError, match="team: expected at most 20 evaders, got 21"):
+        read_game(written(crowd), "a.parquet")
+
+
 def leaves(tree, path=()):
     """The paths of everything in nested tables and lists."""
     items = tree.items() if isinstance(tree, dict) else enumerate(tree)

@@ -14,6 +14,7 @@ import numpy.typing as npt
 from covey.model import InputError
 from covey.model.angles import unit_vectors
 from covey.model.validation import Floats, Ints, checked_array, choice, number, whole_number
+from covey.planning.guarantee import check_game
 from covey.simulation.record import Game, GameStatus
 from covey.simulation.settings import SENSING
 
@@ -53,7 +54,7 @@ def _require(holds: npt.ArrayLike, name: str, wanted: str, *, after: int = 0) ->
 
 def _require_settings(game: Game) -> None:
     """Check what a game is played with."""
-    game.disk.require_faster_than(game.team)
+    check_game(game.team, game.disk)
     choice("sensing", game.sensing, SENSING)
     number("update_time", game.update_time, low=0.0, strictly=True)
     whole_number("seed", game.seed, low=0)
