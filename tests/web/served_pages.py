@@ -16,8 +16,8 @@ from covey.web.server import configuration, listen, warm_up
 class Served:
     """A server that runs in a thread."""
 
-    def __init__(self, port, pages):
-        self.port, self.pages = port, pages
+    def __init__(self, port, pages, connections):
+        self.port, self.pages, self.connections = port, pages, connections
         self.address = f"http://127.0.0.1:{port}"
 
     def page(self, **options):
@@ -28,10 +28,13 @@ class Served:
 
 
 @contextmanager
-def serving():
+def serving(**settings):
+    """A server, with other settings of uvicorn than its own where they are given."""
     warm_up()  # pages wait for answers, and not for the compiler
     listener = listen("127.0.0.1", 0)
     config = configuration("127.0.0.1")
+    for name, value in settings.items():
+        setattr(config, name, value)
     server = uvicorn.Server(config)
     thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]})
     thread.start()
@@ -39,7 +42,11 @@ def serving():
     try:
         while not server.started:
             time.sleep(0.01)
-        yield Served(listener.getsockname()[1], lambda: state.pages)
+        yield Served(
+            listener.getsockname()[1],
+            lambda: state.pages,
+            lambda: len(server.server_state.connections),
+        )
     finally:
         server.should_exit = True
         thread.join()

@@ -7,7 +7,11 @@ import math
 from dataclasses import replace
 
 import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import covey
 from covey.simulation.storage import read_game
@@ -175,6 +179,21 @@ def test_what_is_no_record_is_refused(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(
+    "column",
+    [
+        pa.array(["x" * 10**6] * 5),
+        pa.array([b"x" * 10**6] * 5),
+        pa.array([[1.0] * 10**6] * 5),
+        pa.array([b"x" * 1000] * 5, pa.binary(1000)),
+    ],
+)
+def test_a_small_file_with_a_huge_entry_is_refused_unread(column, tmp_path, monkeypatch):
+    pq.write_table(pa.table({"time": column}), tmp_path / "bomb.parquet", compression="zstd")
+    monkeypatch.setattr(upload, "read_game", None)
+    assert "one number a row" in Page().error((tmp_path / "bomb.parquet").read_bytes())
+
+
+@pytest.mark.parametrize(
     "forged",
     [
         {"guarantee": math.nan},
@@ -216,6 +235,23 @@ def test_a_record_that_contradicts_itself_is_refused(tmp_path, forged):
         ('{"type": "save", "game": "../../etc/passwd"}', "game"),
         ('{"type": "pause", "more": 1}', "more"),
         ("[" * 1500, "message"),
+        ('{"type": "steer", "target": ' + "[" * 900 + "]" * 900 + "}", "recursion limit"),
+        ('{"type": "new", "choices": ' + '{"evaders": ' * 150 + "1" + "}" * 151, "choices.evaders"),
+        ('{"type": "new", "choices": {"seed": ' + "9" * 1900 + "}}", "choices.seed"),
+        ('{"type": "new", "choices": {"seed": 1e999}}', "choices.seed"),
+        ('{"type": "new", "choices": {"speed": Infinity}}', "choices.speed"),
+        ('{"type": "new", "choices": {"speed": -NaN}}', "message"),
+        ('{"type": "run", "pace": ' + "9" * 1900 + "}", "pace"),
+        ('{"type": "run", "pace": {"a": 1}}', "pace"),
+        ('{"type": "steer", "type": "cheat"}', "message"),
+        ('{"type": ["steer"]}', "message"),
+        ('{"type": null}', "message"),
+        ('{"type": "\\ud800"}', "message"),
+        ('"steer"', "message"),
+        ("null", "message"),
+        ("1e9", "message"),
+        ("\0", "message"),
+        ('{"type": "pause"} {"type": "pause"}', "message"),
         ("x" * (MOST_CHARACTERS + 1), f"at most {MOST_CHARACTERS}"),
     ],
 )
@@ -228,8 +264,61 @@ def test_a_bad_message_is_answered_and_the_game_goes_on(content, said):
 
 
 def test_a_page_without_a_game_is_told_so():
-    for kind in ("steer", "run", "pause", "step"):
-        assert "no game yet" in Page().error(json.dumps({"type": kind}))
+    for message in (
+        {"type": "steer"},
+        {"type": "run"},
+        {"type": "pause"},
+        {"type": "step"},
+        {"type": "film", "game": "yours"},
+        {"type": "save", "game": "optimal"},
+    ):
+        page = Page()
+        assert "no game yet" in page.error(json.dumps(message))
+        assert not page.session.busy
+        assert page.wait(1.0) == []
+
+
+def test_of_many_mistakes_ten_are_told():
+    keys = {f"k{k}": 0 for k in range(150)}
+    said = Page().error(json.dumps({"type": "pause", **keys}))
+    assert said.count("k") == 10
+    assert said.endswith("; and 140 more")
+
+
+NUMBERS = st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=5)
+VALUES = st.recursive(NUMBERS, lambda inner: st.lists(inner, max_size=3), max_leaves=5)
+MESSAGES = st.one_of(
+    st.builds(
+        dict,
+        type=st.sampled_from(["new", "steer", "run", "pause", "step", "film", "save", "cheat"]),
+        choices=st.fixed_dictionaries(
+            {"evaders": st.just(1)}, optional={"seed": VALUES, "speed": VALUES, "team": VALUES}
+        ),
+    ),
+    st.fixed_dictionaries(
+        {"type": st.just("steer")}, optional={"target": VALUES, "heading": VALUES}
+    ),
+    st.fixed_dictionaries({"type": st.just("run")}, optional={"pace": VALUES}),
+    st.fixed_dictionaries({"type": st.sampled_from(["pause", "step"])}),
+    st.fixed_dictionaries(
+        {"type": st.sampled_from(["film", "save"]), "game": st.sampled_from(["yours", "optimal"])}
+    ),
+    st.just({"type": "new", "choices": {"evaders": 1, "capture_radius": 0.1}}),
+)
+SENT = st.one_of(MESSAGES.map(json.dumps), st.text(max_size=50), st.binary(max_size=50))
+
+
+@settings(max_examples=100)
+@given(st.lists(SENT, max_size=12))
+def test_any_messages_in_any_order_are_answered(sent):
+    page = Page()
+    for content in sent:
+        for reply in page.send(content) + page.wait(1 / 60):
+            if isinstance(reply, dict):
+                json.dumps(reply, allow_nan=False)
+                assert reply["type"] in {"game", "optimal", "frame", "over", "film", "error"}
+    (game,) = page.ask(type="new", choices={"evaders": 1, "seed": 1})
+    assert game["type"] == "game"
 
 
 def test_expected_captures_are_those_of_algorithm_1():

@@ -1,5 +1,6 @@
 """The page on which a person plays the pursuer against a team that plans as it flies.
 
 Read `human_game` first (the game), then `messages` and `session` (what a page asks, and what it is
-answered), `game_json` (what a page draws), and `connection`, `app`, `server` (the transport).
+answered), `game_json` (what a page draws), and `connection`, `app`, `protocol`, `server` (the
+transport). What keeps one page from another's game is in `connection` and `protocol`.
 """

@@ -5,9 +5,13 @@ from __future__ import annotations
 import asyncio
 import json
 import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from covey.web.messages import is_quick
 from covey.web.rate_limit import TokenBucket
 from covey.web.session import Reply, Session, error_reply
 
@@ -17,6 +21,18 @@ _FRAME = 1.0 / 60.0
 _MESSAGES_PER_SECOND = 120.0
 _FILE_COSTS = 60.0
 _MOST_WAITING = 64
+
+_REFUSAL = 0.001
+"""Seconds for which nothing is read after a refused message. A flood waits in its own network."""
+
+_WORK_RATE, _WORK_BURST = 0.2, 2.0
+"""Of a processor's time, for what takes long: the share of a page, and the seconds it may save up.
+
+A game of five evaders takes 0.1 s to set up, one of ten at most 1 s.
+"""
+
+_slow_thread = ThreadPoolExecutor(1, "covey-slow-replies")
+"""Of all pages: what takes long takes one processor at most, and frames have the others."""
 
 Inbox = asyncio.Queue[str | bytes]
 
@@ -48,46 +64,78 @@ async def _read(websocket: WebSocket, inbox: Inbox) -> None:
         event = await websocket.receive()
         if event["type"] == "websocket.disconnect":
             raise WebSocketDisconnect(event.get("code", 1000))
-        message = event.get("text")
-        cost = 1.0
+        message, cost = event.get("text"), 1.0
         if message is None:
             message, cost = event["bytes"], _FILE_COSTS
         if limit.take(time.monotonic(), cost):
             await inbox.put(message)
-        elif complaints.take(time.monotonic()):
+            if isinstance(message, bytes):
+                await inbox.join()  # files are large: one at a time
+            continue
+        if complaints.take(time.monotonic()):
             text = f"expected at most {_MESSAGES_PER_SECOND:g} messages a second; some were dropped"
-            await _send(websocket, error_reply(text))
+            await _send(websocket, _encoded(error_reply(text)))
+        await asyncio.sleep(_REFUSAL)
 
 
 async def _play(websocket: WebSocket, inbox: Inbox) -> None:
     """Answer the messages that have come and play the updates that are due, frame by frame.
 
-    Both happen in a thread, since kernels release the interpreter's lock. One thread answers all
-    messages of a frame, so messages that come fast don't queue up.
+    Both happen in threads, since kernels release the interpreter's lock.
     """
-    session = Session()
+    session, work = Session(), TokenBucket(_WORK_RATE, _WORK_BURST)
     while True:
         began = time.monotonic()
         messages = [] if session.busy else [await inbox.get()]
         while not inbox.empty():
             messages.append(inbox.get_nowait())
-        for reply in await asyncio.to_thread(_replies, session, messages):
-            await _send(websocket, reply)
+        for message in messages:
+            replies = session.receive(message, time.monotonic())
+            await _answer(websocket, replies, None if is_quick(message) else work)
+            inbox.task_done()
+        replies = session.advance(time.monotonic())
+        await _answer(websocket, replies, work if session.optimal_pending else None)
         if session.busy:
             await asyncio.sleep(max(0.0, began + _FRAME - time.monotonic()))
 
 
-def _replies(session: Session, messages: list[str | bytes]) -> list[Reply]:
-    replies: list[Reply] = []
-    for message in messages:
-        replies += session.receive(message, time.monotonic())
-    if not replies:  # replies are sent before more is computed
-        replies += session.advance(time.monotonic())
-    return replies
+async def _answer(websocket: WebSocket, replies: Iterator[Reply], work: TokenBucket | None) -> None:
+    """Compute replies in a thread and send them; wait until `work` has paid for slow ones."""
+    thread = None if work is None else _slow_thread
+    loop = asyncio.get_running_loop()
+    contents, seconds = await loop.run_in_executor(thread, _compute, replies)
+    for content in contents:
+        await _send(websocket, content)
+    while work and not work.take(time.monotonic(), min(seconds, _WORK_BURST)):
+        await asyncio.sleep(_FRAME)
 
 
-async def _send(websocket: WebSocket, reply: Reply) -> None:
-    if isinstance(reply, bytes):
-        await websocket.send_bytes(reply)
+def _compute(replies: Iterator[Reply]) -> tuple[list[str | bytes], float]:
+    """Return the contents of messages, and the processor's time that they took."""
+    began = time.thread_time()
+    contents = [reply if isinstance(reply, bytes) else _encoded(reply) for reply in replies]
+    return contents, time.thread_time() - began
+
+
+def _encoded(reply: dict[str, Any]) -> str:
+    """Return a reply as JSON.
+
+    Lists are encoded item by item: one call would keep the interpreter's lock for a whole film, and
+    every other game would wait for it.
+    """
+    return "{" + ", ".join(f"{_json(key)}: {_by_item(item)}" for key, item in reply.items()) + "}"
+
+
+def _by_item(value: Any) -> str:
+    return f"[{', '.join(map(_json, value))}]" if isinstance(value, list) else _json(value)
+
+
+def _json(value: Any) -> str:
+    return json.dumps(value, allow_nan=False)
+
+
+async def _send(websocket: WebSocket, content: str | bytes) -> None:
+    if isinstance(content, bytes):
+        await websocket.send_bytes(content)
     else:
-        await websocket.send_text(json.dumps(reply, allow_nan=False))
+        await websocket.send_text(content)

@@ -10,6 +10,8 @@ from covey.model import InputError
 from covey.web.choices import Choices
 
 MOST_CHARACTERS = 2000
+MOST_MISTAKES = 10
+"""That are told; a message can make hundreds, and the answer would be many times as long."""
 
 _Coordinate = Annotated[float, Field(ge=-1e4, le=1e4)]
 
@@ -81,9 +83,20 @@ def read_message(text: str) -> Message:
         raise InputError("; ".join(_mistakes(error))) from None
 
 
+def is_quick(message: str | bytes) -> bool:
+    """Return whether an answer takes no longer than a frame of a game."""
+    if isinstance(message, bytes):
+        return False
+    try:
+        return not isinstance(read_message(message), New | Film | Save)
+    except InputError:
+        return True
+
+
 def _mistakes(error: ValidationError) -> list[str]:
     mistakes = []
     for detail in error.errors(include_url=False, include_input=False):
         key_path = ".".join(str(key) for key in detail["loc"][1:]) or "message"
         mistakes.append(f"{key_path}: {detail['msg']}")
-    return mistakes
+    more = len(mistakes) - MOST_MISTAKES
+    return mistakes if more <= 0 else [*mistakes[:MOST_MISTAKES], f"and {more} more"]

@@ -13,7 +13,8 @@ from urllib.parse import urlsplit
 def is_own_host(host: str, served: str) -> bool:
     """Return whether a Host header names this machine: by address, as localhost, or as `served`."""
     try:
-        name = urlsplit(f"//{host}").hostname or ""
+        parts = urlsplit(f"//{host}")
+        name, _ = parts.hostname or "", parts.port  # a port that is no number is a ValueError
         if name in {"localhost", served.lower()}:
             return True
         ipaddress.ip_address(name)

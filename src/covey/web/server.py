@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
+import logging
 import socket
 import sys
 import webbrowser
@@ -10,15 +12,20 @@ from contextlib import suppress
 from threading import Thread
 from typing import Any
 
+import h11
 import uvicorn
 
 from covey.model import InputError
 from covey.web.app import make_app
+from covey.web.protocol import LimitedProtocol
 from covey.web.session import Session
 from covey.web.upload import MOST_BYTES
 
 _GRACE = 1
 """Seconds for open pages to close when the server ends."""
+
+_SAID_ALREADY = (asyncio.CancelledError, h11.LocalProtocolError)
+"""What uvicorn logs a second time: a page that doesn't end with the server, an invalid request."""
 
 
 def serve(host: str, port: int, *, open_browser: bool) -> None:
@@ -44,17 +51,26 @@ def serve(host: str, port: int, *, open_browser: bool) -> None:
 
 
 def configuration(host: str) -> uvicorn.Config:
-    """Return the configuration of the server."""
+    """Return the configuration of the server, and let it log what clients do wrong in one line."""
+    logging.getLogger("uvicorn.error").addFilter(_one_line)
     return uvicorn.Config(
         make_app(host),
         log_level="warning",
         access_log=False,
         server_header=False,
-        ws="websockets-sansio",
+        ws=LimitedProtocol,
         ws_max_size=MOST_BYTES,
         ws_per_message_deflate=False,  # frames are small, and the network is short
         timeout_graceful_shutdown=_GRACE,
     )
+
+
+def _one_line(record: logging.LogRecord) -> bool:
+    """Drop the traceback of what a client has brought about, or the whole record."""
+    error = record.exc_info[1] if record.exc_info else None
+    if isinstance(error, UnicodeDecodeError):
+        record.exc_info = None
+    return not isinstance(error, _SAID_ALREADY)
 
 
 def listen(host: str, port: int) -> socket.socket:

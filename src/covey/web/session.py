@@ -23,17 +23,23 @@ Reply = dict[str, Any] | bytes
 
 
 class Session:
-    """A page's session. It knows nothing of sockets; `now` is in seconds of any monotonic clock."""
+    """A page's session. It knows nothing of sockets; `now` is in seconds of any monotonic clock.
+
+    Attributes
+    ----------
+    optimal_pending : bool
+        Whether `advance` will play the optimal pursuer's game, which takes long.
+    """
 
     def __init__(self) -> None:
         self._pacer = Pacer(UPDATE_TIME)
         self._game: HumanGame | None = None
-        self._optimal_pending = False
+        self.optimal_pending = False
 
     @property
     def busy(self) -> bool:
         """Whether `advance` has something to do."""
-        return self._pacer.running or self._optimal_pending
+        return self._pacer.running or self.optimal_pending
 
     def receive(self, message: str | bytes, now: float) -> Iterator[Reply]:
         """Do what a page asks for, and answer. A mistake is answered too, and changes nothing."""
@@ -47,8 +53,8 @@ class Session:
 
     def advance(self, now: float) -> Iterator[Reply]:
         """Do what is due: the optimal game first, then updates and, at the end, the score."""
-        if self._optimal_pending:
-            self._optimal_pending = False
+        if self.optimal_pending:
+            self.optimal_pending = False
             optimal = self._current_game().optimal
             yield {"type": "optimal", "survival_time": optimal.survival_time}
         updates = self._pacer.due(now)
@@ -80,7 +86,7 @@ class Session:
     def _set_up(self, message: New) -> Reply:
         game = HumanGame(message.choices)
         self._pacer.pause()
-        self._game, self._optimal_pending = game, True
+        self._game, self.optimal_pending = game, True
         start = game.record()
         return {
             "type": "game",
@@ -113,7 +119,7 @@ class Session:
         return self._game
 
 
-def error_reply(text: str) -> Reply:
+def error_reply(text: str) -> dict[str, Any]:
     """Return the answer to a mistake."""
     return {"type": "error", "text": text}
 

@@ -13,6 +13,9 @@ MOST_BYTES = 16 * 2**20
 MOST_NUMBERS = 10**7
 """In the unpacked table: a small file can hold a huge table."""
 
+_ONE_NUMBER = {"BOOLEAN", "INT32", "INT64", "FLOAT", "DOUBLE"}
+"""Parquet's types of a column of which an entry can't be huge."""
+
 
 def read_upload(content: bytes) -> Json:
     """Return the replay of the game in a file, or raise InputError that says why there is none."""
@@ -34,7 +37,10 @@ def read_upload(content: bytes) -> Json:
 
 
 def _numbers(content: bytes) -> int:
-    """Return the number of entries that a file declares; 0 if `read_game` will refuse the file."""
+    """Return the number of entries that a file declares; 0 if `read_game` will refuse the file.
+
+    Raise InputError if an entry can be more than a number.
+    """
     import pyarrow as pa
     import pyarrow.parquet as pq
 
@@ -42,4 +48,11 @@ def _numbers(content: bytes) -> int:
         metadata = pq.read_metadata(BytesIO(content))
     except (pa.ArrowException, OSError):
         return 0
+    for k in range(metadata.num_columns):
+        column = metadata.schema.column(k)
+        if column.physical_type not in _ONE_NUMBER or column.max_repetition_level:
+            raise InputError(
+                f"record: expected one number a row in every column, got others in "
+                f"{column.path[:40]!r}; save a game anew"
+            )
     return int(metadata.num_rows) * int(metadata.num_columns)
