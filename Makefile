@@ -45,7 +45,7 @@ wheel: $(READY) ## Build a wheel with the compiled kernels inside (PLATFORM=all 
 	@$(PIP) -e '.[build]'
 	$(BIN)/python packaging/wheels.py $(PLATFORM)
 
-mutants: $(READY) ## Plant sixty bugs, one at a time, and say which test catches each (ARGS='--room views')
+mutants: $(READY) ## Plant bugs, one at a time, and say which test catches each (ARGS='--room views')
 	$(BIN)/python mutants/run.py $(ARGS)
 
 bench: $(READY) ## Measure speed; never a part of the tests

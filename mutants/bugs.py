@@ -197,13 +197,6 @@ BOUNDS = (
         "return float(self.at(team.positions - disk.center))",
         "the true value of two evaders is wrong for other speeds of the pursuer",
     ),
-    Bug(
-        "least of a family",
-        "bounds/announced_sequence.py",
-        "key=lambda family: max(float(each.latest.max()) for each in family)",
-        "key=lambda family: min(float(each.latest.max()) for each in family)",
-        "from six evaders on the beam keeps worse prefixes; the upper bound is loose",
-    ),
 )
 
 SIMULATION = (

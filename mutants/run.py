@@ -4,9 +4,8 @@
 
 Only the bugs whose name or room is one of the words are planted; without words, all. The tests
 beside the code run first, then those of its room, then the rest, until one fails; with --room, the
-rest doesn't run. A bug
-counts as caught only if that test passes without the bug. Digests of the sources differ with each
-bug, and no test knows their values.
+rest doesn't run. A bug counts as caught only if that test passes without the bug. Digests of the
+sources differ with each bug, and no test knows their values.
 
 Prints a Markdown table. The exit status is 1 if a bug survived or could not be planted.
 """

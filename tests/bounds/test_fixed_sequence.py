@@ -10,7 +10,13 @@ import pytest
 from scipy.optimize import brentq, differential_evolution
 
 import covey
-from covey.kernels.maximum.fixed_sequence import latest_in_sequence, new_grids
+from covey.kernels.maximum.fixed_sequence import (
+    best_on_grid,
+    latest_in_sequence,
+    lay_grid,
+    new_grid,
+    new_grids,
+)
 from covey.model.angles import wrap_angle
 from covey.planning.guarantee import pursuit_of
 from random_games import fleeing, random_game
@@ -108,6 +114,19 @@ def test_unlimited_turns_are_the_root_near_which_finer_and_finer_grids_end(count
         assert plan.survival_time == pytest.approx(times[-1], rel=1e-13)
         assert np.abs(wrap_angle(plan.turns - refined)).max() < 1e-6
         assert misalignment(team, disk, plan) < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("center", "on_border"), [(0.4, True), (-0.4, True), (0.3, False), (-0.3, False)]
+)
+def test_a_search_does_not_narrow_while_the_best_turn_is_on_either_border(center, on_border):
+    """Straight on is best; the nine turns of the grid are 0.1 apart."""
+    team, disk = covey.Team([[1.0, 0.0]], [0.0]), covey.PursuerDisk()
+    grid, turns = new_grid(team.as_rows(), 9), np.zeros(1)
+    lay_grid(grid, np.array([center]), 0.4, disk.speed)
+    found = best_on_grid(grid, pursuit_of(disk), np.zeros(1, np.int64), turns)
+    assert turns == pytest.approx([0.0], abs=1e-12)
+    assert found == on_border
 
 
 def misalignment(team, disk, plan):
