@@ -210,7 +210,7 @@ def test_each_for_itself_gets_behind_its_neighbour(frame):
     radius = 0.5 + time
 
     def share(heading):
-        grid = np.linspace(-radius, radius, 201)
+        grid = np.linspace(-radius, radius, 401)
         x, y = np.meshgrid(grid, grid)
         inside = np.hypot(x, y) <= radius
         own = np.add(places[0], 0.25 * time * np.array([math.cos(heading), math.sin(heading)]))
@@ -218,5 +218,5 @@ def test_each_for_itself_gets_behind_its_neighbour(frame):
         nearer = np.hypot(x - own[0], y - own[1]) < np.hypot(x - other[0], y - other[1])
         return (nearer & inside).sum() / inside.sum()
 
-    best = min(map(share, np.linspace(-math.pi, math.pi, 91)))
+    best = min(map(share, np.linspace(-math.pi, math.pi, 181)))
     assert share(headings[0]) <= best + 1.0 / 256
