@@ -8,7 +8,7 @@ PINNED := $(PIP) --only-binary :all: --require-hashes
 COVEY := $(PIP) --no-deps --no-build-isolation --editable .
 
 .DEFAULT_GOAL := help
-.PHONY: help install paper test test-lowest lint format wheel check-package bench accounting soak fuzz faults pins clean
+.PHONY: help install paper test test-lowest lint format wheel check-package bench accounting soak fuzz faults mutants pins clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
@@ -54,6 +54,9 @@ format: $(READY) ## Format the code and mend what can be mended by rule
 wheel: $(READY) ## Build a wheel with the compiled kernels inside (PLATFORM=all for every platform)
 	@$(BIN)/python $(PINNED) -r requirements/wheel.txt
 	$(BIN)/python packaging/wheels.py $(PLATFORM)
+
+mutants: $(READY) ## Plant bugs, one at a time, and say which test catches each (ARGS='--room views')
+	$(BIN)/python mutants/run.py $(ARGS)
 
 bench: $(READY) ## Measure speed; never a part of the tests
 	$(BIN)/python -m pytest benchmarks --ignore benchmarks/bench_accounting.py --benchmark-only $(ARGS)

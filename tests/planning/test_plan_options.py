@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import covey
+from covey.model.angles import away_from
 from random_games import random_game
 
 
@@ -69,7 +70,7 @@ def test_at_least_as_good_as_flight_straight_away():
     for _ in range(30):
         count = int(generator.integers(1, 6))
         team, disk = random_game(generator, count, radius=0.1)
-        away = np.arctan2(team.positions[:, 1], team.positions[:, 0])
+        away = away_from(disk.center, team.positions)
         radial = covey.guaranteed_survival(team, disk, covey.turns_to(team, away)).time
         assert covey.plan(team, disk, starts=1).survival_time >= radial
 
@@ -80,8 +81,11 @@ def test_no_time_still_gives_a_plan(game):
     assert plan.survival_time == covey.guaranteed_survival(*game, plan.turns).time
 
 
-def test_enough_time_changes_nothing(game):
-    assert as_values(covey.plan(*game, time_limit=600.0)) == as_values(covey.plan(*game))
+@pytest.mark.parametrize("starts", [6, None])
+def test_enough_time_changes_nothing(game, starts):
+    """With a time limit ascents run in parallel, four at a time; six are not a multiple of it."""
+    in_parallel = covey.plan(*game, starts=starts, time_limit=600.0)
+    assert as_values(in_parallel) == as_values(covey.plan(*game, starts=starts))
 
 
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-12])

@@ -98,6 +98,7 @@ def test_the_score_sets_the_person_beside_the_optimal_pursuer(sensing):
     team, disk = choices.game()
     optimal = covey.simulate(team, disk, sensing=sensing, update_time=UPDATE_TIME, seed=4)
     score, record = game.score(), game.record()
+    assert game.optimal.seed == choices.seed
     assert score.time == record.survival_time
     assert score.share == optimal.survival_time / record.survival_time
     assert score.above == record.survival_time - covey.plan(team, disk, seed=4).survival_time

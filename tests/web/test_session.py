@@ -97,6 +97,15 @@ def test_pause_and_step():
     assert page.wait(1.0) == []
 
 
+def test_a_new_game_stands_still_although_the_last_one_ran():
+    page = Page(evaders=2, seed=1)
+    page.ask(type="run", pace=1.0)
+    page.wait(1 / 60)
+    page.ask(type="new", choices={"evaders": 2, "seed": 2})
+    assert [reply["type"] for reply in page.wait(1.0)] == ["optimal"]
+    assert page.wait(1.0) == []
+
+
 def test_played_to_the_end_it_is_scored_saved_and_shown():
     page = Page(evaders=3, seed=8, sensing="hidden")
     assert "isn't over" in page.error('{"type": "save", "game": "yours"}')

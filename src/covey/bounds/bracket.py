@@ -53,7 +53,7 @@ def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None 
     Returns
     -------
     Bracket
-        The value lies in [lower, upper], up to rounding.
+        The value lies in [lower, upper], up to rounding, by which equal bounds may cross.
 
     Raises
     ------
@@ -90,10 +90,9 @@ def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None 
     point = PursuerDisk(disk.center, disk.radius, disk.speed)
     announced = best_announcement(agile, point, found.critical_sequences[:2])
     start, announced = _from_best_start(agile, disk, announced)
-    upper = last_capture_bound(agile, start, announced)
     return Bracket(
         lower=found.survival_time,
-        upper=max(upper, found.survival_time),  # equal bounds may cross by rounding
+        upper=last_capture_bound(agile, start, announced),
         plan=found,
         sequence=announced.sequence,
     )
