@@ -64,12 +64,8 @@ class Match:
         settings: Settings,
     ) -> None:
         compiled_objective(settings.objective, len(team))  # an error before anybody flies
-        self._plan = in_own_frame(
-            evaders, policy_of("evaders", evaders, settings.seed), disk.center
-        )
-        self._decide = in_own_frame(
-            pursuer, policy_of("pursuer", pursuer, settings.seed), disk.center
-        )
+        self._plan = in_own_frame(policy_of("evaders", evaders, settings.seed), disk.center)
+        self._decide = in_own_frame(policy_of("pursuer", pursuer, settings.seed), disk.center)
         strategies = {"evaders": description(evaders), "pursuer": description(pursuer)}
         position = position_of(pursuer, disk)
         self._setup = GameSetup(team, disk, settings, strategies, position)

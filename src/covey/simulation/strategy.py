@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -93,6 +93,7 @@ TeamPolicy = Callable[[Situation], npt.ArrayLike]
 
 PursuerPolicy = Callable[[Situation], Chase | Fly]
 
+Function = TypeVar("Function", bound=Callable[..., Any])
 Policy = Callable[[Situation], Any]
 """Of either side, before its decisions are checked."""
 
@@ -173,12 +174,18 @@ def policy_of(role: str, strategy: object, seed: int) -> Policy:
     )
 
 
-def in_own_frame(strategy: object, policy: Policy, origin: Floats) -> Policy:
+def in_any_frame(policy: Function) -> Function:
+    """Mark a policy whose decisions don't depend on the frame; see `in_own_frame`."""
+    policy.in_any_frame = True  # type: ignore[attr-defined]
+    return policy
+
+
+def in_own_frame(policy: Policy, origin: Floats) -> Policy:
     """Return a policy that is called with situations of the game's own frame.
 
-    The origin of that frame is `origin` (2,). Only a strategy that says so, by an attribute
-    `in_any_frame` that is true, sees situations of that frame, without rounding.
+    The origin of that frame is `origin` (2,). A policy that is marked `in_any_frame` sees these
+    situations as they are, so without rounding; others see them in the user's coordinates.
     """
-    if getattr(strategy, "in_any_frame", False) or not origin.any():
+    if getattr(policy, "in_any_frame", False) or not origin.any():
         return policy
     return lambda situation: policy(situation.moved(origin))

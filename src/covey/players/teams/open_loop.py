@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
@@ -26,6 +26,7 @@ from covey.planning.open_loop import (
 from covey.planning.workspace import workspace
 from covey.players.teams.replan_interval import ReplanningTeam, minimum_wait
 from covey.simulation import Situation, TeamPolicy
+from covey.simulation.strategy import in_any_frame
 
 REPLAN_TOLERANCE = 1e-7
 """An update stops at this relative predicted gain; the next update continues from there."""
@@ -42,7 +43,6 @@ class OpenLoop:
     """
 
     starts: int = DEFAULT_STARTS
-    in_any_frame: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
         """Check the field."""
@@ -73,7 +73,7 @@ class OpenLoop:
                 starts=self.starts,
             ).turns
 
-        return turns
+        return in_any_frame(turns)
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,6 @@ class SearchingTeam(ReplanningTeam):
     starts: int = DEFAULT_STARTS
     restarts: int = 8
     replan_time: float = 0.0
-    in_any_frame: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
         """Check the fields."""
@@ -91,6 +90,10 @@ class SearchingTeam(ReplanningTeam):
         whole_number(f"{name}.starts", self.starts, low=1, high=MOST_STARTS)
         whole_number(f"{name}.restarts", self.restarts, low=0, high=MOST_STARTS)
         super().__post_init__()
+
+    def start(self, seed: int) -> TeamPolicy:
+        """Return the policy of one game."""
+        return in_any_frame(super().start(seed))
 
     def compiled(self) -> ReplanOptions:
         """Return how the team plans in a compiled game."""
