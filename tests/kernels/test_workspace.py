@@ -20,7 +20,7 @@ from covey.kernels.maximum.values import minimum_over_sequences
 from covey.kernels.maximum.working_set import new_working_set
 from covey.model import LastCapture, TotalSurvival
 from covey.planning.compiled_objective import compiled_objective
-from covey.planning.guarantee import pursuit_of
+from covey.planning.guarantee import about_center, pursuit_of
 from covey.planning.workspace import LARGEST_KEPT, SMALL, workspace
 from random_games import random_game
 
@@ -43,7 +43,7 @@ def test_a_workspace_holds_all_scratch_of_its_size(size, total):
 
 
 def test_a_smaller_team_fits_into_the_workspace_of_a_larger_one():
-    team, disk = random_game(np.random.default_rng(0), 4)
+    team, disk = about_center(*random_game(np.random.default_rng(0), 4))
     turns = np.full(4, 0.3)
     rows, sequence = team.as_rows(), np.empty(4, np.int64)
     time = minimum_over_sequences(
