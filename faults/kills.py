@@ -51,7 +51,7 @@ def kill_worker(random: Random, folder: Path) -> None:
         done = ended(process)
     if done.status == 0:
         require_undisturbed(folder, done)
-    require_told(done, [0, 1])
+    require_told(done, [0, 3])
     require_goes_on(folder)
 
 
