@@ -140,7 +140,7 @@ def _expected(team, disk, others, value):
 
 def _bracket(team, disk, others, bracket):
     require_finite("bracket", bracket.lower, bracket.upper)
-    require(bracket.lower <= bracket.upper, f"{bracket.lower} > {bracket.upper}")
+    require_at_least("upper end", bracket.upper, bracket.lower)
     require_plan(team, disk, bracket.plan)
 
 
@@ -172,7 +172,8 @@ def _simulate(team, disk, *, update_time=0.01, time_limit=None, **others):
     numbers = isinstance(update_time, int | float) and isinstance(limit, int | float)
     if numbers and 0.0 < MOST_UPDATES * update_time < limit:
         return None
-    return covey.simulate(team, disk, update_time=update_time, time_limit=time_limit, **others)
+    times = {"update_time": update_time, "time_limit": time_limit}
+    return _called(covey.simulate, {"team": team, "disk": disk, **times, **others})
 
 
 def _turns_to(team, goal_headings, disk):
