@@ -9,6 +9,7 @@ import pytest
 
 import covey
 from covey.model.angles import away_from
+from covey.planning import multistart
 from random_games import random_game
 
 
@@ -51,6 +52,15 @@ def test_starts_are_followed(game, starts):
     assert plan.steps >= starts
     assert plan.interceptions > 0
     assert plan.status is covey.PlanStatus.CONVERGED
+
+
+@pytest.mark.parametrize("objective", [covey.LastCapture(), covey.TotalSurvival()])
+def test_more_starts_never_give_less_even_if_steps_are_used_up(game, objective, monkeypatch):
+    monkeypatch.setattr(multistart, "MAX_STEPS", 2)
+    counts = range(1, 30)
+    plans = [covey.plan(*game, objective=objective, starts=count) for count in counts]
+    assert all(np.diff([plan.value for plan in plans]) >= 0.0)
+    assert plans[-1].status == covey.PlanStatus.STEPS_USED_UP
 
 
 def test_many_starts_find_better_plans_than_one():

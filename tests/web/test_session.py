@@ -172,6 +172,7 @@ def test_what_is_no_record_is_refused(tmp_path, monkeypatch):
     covey.save_game(covey.simulate(team, covey.PursuerDisk()), path)
     content = path.read_bytes()
     assert "damaged" in page.error(content[: len(content) // 2])
+    assert "damaged" in page.error(content.replace(b"time", b"\x80ime"))  # not UTF-8
     monkeypatch.setattr(upload, "MOST_NUMBERS", 10)
     assert "at most 10 numbers" in page.error(content)
     monkeypatch.setattr(upload, "MOST_BYTES", 10)

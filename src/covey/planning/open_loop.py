@@ -126,10 +126,9 @@ def plan(
     starts
         How many starts are improved to a local maximum: the warm start, flight straight away
         from the disk's centre, random ones, each the best of eight, and variations of the best
-        plans so far. More starts include the fewer, and give less only where the best start's steps
-        are used up (by 1.1e-7, relative, in one of 110 000 plans). None: as many as find the
-        best plan known in most games, see `default_starts`. From nine evaders on, four starts at a
-        time run in parallel; the result is the same on any number of cores.
+        plans so far. More starts include the fewer, so that they never give less. None: as many as
+        find the best plan known in most games, see `default_starts`. From nine evaders on, four
+        starts at a time run in parallel; the result is the same on any number of cores.
     tolerance
         An ascent ends when a step promises less than this, relative to the value.
     time_limit
@@ -189,7 +188,7 @@ def _best_of(search: Search, warm: Iterate | None, guesses: int) -> Ascents:
     best = NONE if warm is None else search.refine(warm)
     if guesses > 0:
         best = search.run(best, guesses)
-    return search.finish(best)
+    return best
 
 
 def default_starts(n: int) -> int:

@@ -46,7 +46,7 @@ def _numbers(content: bytes) -> int:
 
     try:
         metadata = pq.read_metadata(BytesIO(content))
-    except (pa.ArrowException, OSError):
+    except (pa.ArrowException, OSError, ValueError):
         return 0
     for k in range(metadata.num_columns):
         column = metadata.schema.column(k)
