@@ -92,6 +92,12 @@ class Search:
         self._work = ASCENT_VALUES * interceptions_of(problem.objective, self._size)
         self._elite = new_elite(self._size)
 
+    @property
+    def elite(self) -> list[Floats]:
+        """Turns of the best plans so far, up to three of different values, the best first."""
+        values, turns = self._elite
+        return [turns[k] for k in range(len(values)) if values[k] > -math.inf]
+
     def refine(self, iterate: Iterate) -> Ascents:
         """Ascend from a plan, which is overwritten."""
         known = iterate.working_set.used[0] > 0

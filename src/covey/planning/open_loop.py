@@ -51,11 +51,12 @@ class PlanStatus(StrEnum):
     TIME_LIMIT = "the time limit ended the search; the best turns found until then"
 
 
-_STATUS = {
+PLAN_STATUS = {
     CONVERGED: PlanStatus.CONVERGED,
     STALLED: PlanStatus.STALLED,
     STEPS_USED_UP: PlanStatus.STEPS_USED_UP,
 }
+"""What the kernels' numbers mean."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -243,7 +244,7 @@ def _plan_of(
         value=value,
         critical_sequences=tuple(sequence for sequence, _ in critical),
         weights=tuple(weight for _, weight in critical),
-        status=_STATUS[best.status] if best.in_time else PlanStatus.TIME_LIMIT,
+        status=PLAN_STATUS[best.status] if best.in_time else PlanStatus.TIME_LIMIT,
         starts=best.starts,
         steps=best.steps,
         interceptions=best.interceptions,

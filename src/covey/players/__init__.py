@@ -11,6 +11,7 @@ from covey.players.pursuers.fixed_order import BestSequence, FixedSequence, Rand
 from covey.players.pursuers.nearest_first import NearestFirst
 from covey.players.simulate import simulate, survival
 from covey.players.teams.constant_heading import ConstantHeading
+from covey.players.teams.contingent import Contingent
 from covey.players.teams.known_sequence import KnownSequence
 from covey.players.teams.largest_distance import LargestDistance
 from covey.players.teams.open_loop import IterativeOpenLoop, OpenLoop
@@ -23,6 +24,7 @@ __all__ = [
     "BestSequence",
     "CommittedPursuer",
     "ConstantHeading",
+    "Contingent",
     "DelayedSequence",
     "DownhillPursuer",
     "FixedSequence",

@@ -22,6 +22,7 @@ from covey.players import (
     BestSequence,
     CommittedPursuer,
     ConstantHeading,
+    Contingent,
     FixedSequence,
     FlyingPursuer,
     HoldCourse,
@@ -80,6 +81,7 @@ _SEQUENCE = {"sequence": Sequence}
 EVADERS = {
     "open-loop": Entry(OpenLoop, _STARTS),
     "iterative-open-loop": Entry(IterativeOpenLoop, _STARTS | _RESTARTS | _REPLAN_TIME),
+    "contingent": Entry(Contingent, {"depth": Whole} | _REPLAN_TIME),
     "constant-heading": Entry(ConstantHeading, _STARTS | _RESTARTS | _REPLAN_TIME),
     "straight-away": Entry(StraightAway, _REPLAN_TIME),
     "hold-course": Entry(HoldCourse, {}),

@@ -74,7 +74,7 @@ def factor_hessian(
     if cholesky(scratch.hessian, n, floor, scratch.factor):
         return HessianStatus(False, False)
     _copy_hessian(n, scratch)
-    convexified = convexify and _penalise(n, working_set, values, scale, scratch)
+    convexified = convexify and penalise(n, working_set, values, scale, scratch)
     if cholesky(scratch.convex_hessian, n, floor, scratch.factor):
         return HessianStatus(convexified, False)
     make_positive(scratch.convex_hessian, n, floor, scratch.eigenvectors, scratch.eigenvalues)
@@ -104,7 +104,7 @@ def escape_count(
     if cholesky(scratch.hessian, n, 0.0, scratch.factor):
         return 0
     _copy_hessian(n, scratch)
-    _penalise(n, working_set, values, scale, scratch)
+    penalise(n, working_set, values, scale, scratch)
     if cholesky(scratch.convex_hessian, n, 0.0, scratch.factor):
         return 0
     jacobi_eigen(scratch.convex_hessian, n, scratch.eigenvectors)
@@ -137,7 +137,7 @@ def _copy_hessian(n: int, scratch: ModelScratch) -> None:
 
 
 @compiled
-def _penalise(
+def penalise(
     n: int, working_set: WorkingSet, values: Floats, scale: float, scratch: ModelScratch
 ) -> bool:
     """Add the penalty on differing active models to the Hessian and the linear term.
