@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import selectors
 import socket
 import struct
 import time
@@ -14,6 +15,9 @@ LARGEST = {"evaders": 10, "capture_radius": 0.01, "speed": 0.5, "pursuer_speed":
 NEW_LARGEST = json.dumps({"type": "new", "choices": LARGEST}).encode()
 FILM = b'{"type": "film", "game": "optimal"}'
 RUN = b'{"type": "run"}'
+
+address = "127.0.0.1"
+"""Of the machine that the pages are on. The server knows machines by it."""
 
 TEXT, BYTES, CLOSE, PING = 1, 2, 8, 9
 
@@ -33,7 +37,7 @@ def frame(opcode, content=b"", *, final=True):
 @contextmanager
 def raw_page(port, wait=10.0):
     """A socket after the handshake of a page. It hears little at once."""
-    with socket.create_connection(("127.0.0.1", port), timeout=wait) as raw:
+    with socket.create_connection(("127.0.0.1", port), wait, (address, 0)) as raw:
         raw.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         raw.sendall(
             f"GET /play HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nOrigin: http://127.0.0.1:{port}\r\n"
@@ -146,6 +150,32 @@ def crowd_of_games(port, seconds):
     crowd(port, seconds, first=frame(TEXT, NEW))
 
 
+def crowd_of_running_games(port, seconds):
+    """Many pages, on each of which the largest game runs."""
+    ends = time.monotonic() + seconds
+    with ExitStack() as pages, selectors.DefaultSelector() as selector:
+        for _ in range(20):
+            raw = pages.enter_context(raw_page(port))
+            raw.sendall(frame(TEXT, NEW_LARGEST) + frame(TEXT, RUN))
+            selector.register(raw, selectors.EVENT_READ)
+        while time.monotonic() < ends:
+            for key, _ in selector.select(0.1):
+                key.fileobj.recv(2**16)
+
+
+def crowd_of_films(port, seconds):
+    """Many pages, each of which asks for a film again and again."""
+    ends = time.monotonic() + seconds
+    with ExitStack() as pages, selectors.DefaultSelector() as selector:
+        for _ in range(20):
+            raw = pages.enter_context(raw_page(port))
+            raw.sendall(frame(TEXT, NEW_LARGEST) + frame(TEXT, FILM) * 50)
+            selector.register(raw, selectors.EVENT_READ)
+        while time.monotonic() < ends:
+            for key, _ in selector.select(0.1):
+                key.fileobj.recv(2**16)
+
+
 def reconnects(port, seconds):
     """Ask for a large game and go, at once and again."""
     ends = time.monotonic() + seconds
@@ -173,4 +203,6 @@ BAD_PAGES = (
     uploads,
     reconnects,
     crowd_of_games,
+    crowd_of_running_games,
+    crowd_of_films,
 )

@@ -36,7 +36,8 @@ class Page:
         return self.send(json.dumps(message))
 
     def send(self, content):
-        return list(self.session.receive(content, self.now))
+        replies = self.session.receive(content, self.now)
+        return [json.loads(each) if isinstance(each, str) else each for each in replies]
 
     def wait(self, seconds):
         self.now += seconds
