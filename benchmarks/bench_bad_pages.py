@@ -69,7 +69,9 @@ def test_bad_pages(benchmark, port, bad):
             page.send(json.dumps({"type": "run", "pace": 0.5}))
             frames(page, 0.5)
             alone.append(frames(page, SECONDS))
-            process = multiprocessing.Process(target=from_another_machine, args=(bad, port, AT_FIRST + SECONDS))
+            process = multiprocessing.Process(
+                target=from_another_machine, args=(bad, port, AT_FIRST + SECONDS)
+            )
             process.start()
             at_first.append(frames(page, AT_FIRST))
             beside.append(frames(page, SECONDS))

@@ -151,29 +151,13 @@ def crowd_of_games(port, seconds):
 
 
 def crowd_of_running_games(port, seconds):
-    """Many pages, on each of which the largest game runs."""
-    ends = time.monotonic() + seconds
-    with ExitStack() as pages, selectors.DefaultSelector() as selector:
-        for _ in range(20):
-            raw = pages.enter_context(raw_page(port))
-            raw.sendall(frame(TEXT, NEW_LARGEST) + frame(TEXT, RUN))
-            selector.register(raw, selectors.EVENT_READ)
-        while time.monotonic() < ends:
-            for key, _ in selector.select(0.1):
-                key.fileobj.recv(2**16)
+    """On each page runs the largest game."""
+    reading_crowd(port, seconds, frame(TEXT, NEW_LARGEST) + frame(TEXT, RUN))
 
 
 def crowd_of_films(port, seconds):
-    """Many pages, each of which asks for a film again and again."""
-    ends = time.monotonic() + seconds
-    with ExitStack() as pages, selectors.DefaultSelector() as selector:
-        for _ in range(20):
-            raw = pages.enter_context(raw_page(port))
-            raw.sendall(frame(TEXT, NEW_LARGEST) + frame(TEXT, FILM) * 50)
-            selector.register(raw, selectors.EVENT_READ)
-        while time.monotonic() < ends:
-            for key, _ in selector.select(0.1):
-                key.fileobj.recv(2**16)
+    """Each page asks for film after film."""
+    reading_crowd(port, seconds, frame(TEXT, NEW_LARGEST) + frame(TEXT, FILM) * 50)
 
 
 def reconnects(port, seconds):
@@ -182,6 +166,39 @@ def reconnects(port, seconds):
     while time.monotonic() < ends:
         with suppress(OSError), raw_page(port) as raw:
             raw.sendall(frame(TEXT, NEW_LARGEST))
+
+
+def requests(port, seconds):
+    """Ask for a file again and again, on many connections."""
+    asked = f"GET /main.js HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n\r\n".encode() * 20
+    with suppress(OSError), ExitStack() as sockets:
+        raws = [
+            sockets.enter_context(socket.create_connection(("127.0.0.1", port), 1.0, (address, 0)))
+            for _ in range(20)
+        ]
+        read_until(raws, time.monotonic() + seconds, first=asked, answer=asked)
+
+
+def reading_crowd(port, seconds, first, count=20):
+    """Many pages at once, which read whatever comes."""
+    ends = time.monotonic() + seconds
+    with suppress(OSError), ExitStack() as pages:
+        raws = [pages.enter_context(raw_page(port)) for _ in range(count)]
+        read_until(raws, ends, first)
+
+
+def read_until(raws, ends, first, answer=b""):
+    """Send `first` to all, read what comes, and send `answer` to it."""
+    with selectors.DefaultSelector() as selector:
+        for raw in raws:
+            raw.sendall(first)
+            selector.register(raw, selectors.EVENT_READ)
+        while time.monotonic() < ends:
+            for key, _ in selector.select(0.1):
+                if key.fileobj.recv(2**16):
+                    key.fileobj.sendall(answer)
+                else:
+                    selector.unregister(key.fileobj)
 
 
 def crowd(port, seconds, count=190, first=b""):
@@ -205,4 +222,5 @@ BAD_PAGES = (
     crowd_of_games,
     crowd_of_running_games,
     crowd_of_films,
+    requests,
 )

@@ -153,7 +153,7 @@ def test_replies_are_computed_when_it_is_the_turn_of_the_address(monkeypatch, sl
     async def send(content):
         told.append(content)
 
-    page = SimpleNamespace(client=SimpleNamespace(host="h"), send_text=send, send_bytes=send)
+    page = SimpleNamespace(scope={"client": ("h", 80)}, send_text=send, send_bytes=send)
     replies = iter([{"type": "over", "time": None}, '{"type": "film"}', b"PAR1"])
     asyncio.run(connection._answer(page, replies, slow=slow))
     assert told == ['{"type": "over", "time": null}', '{"type": "film"}', b"PAR1"]
@@ -161,12 +161,35 @@ def test_replies_are_computed_when_it_is_the_turn_of_the_address(monkeypatch, sl
     assert (quick_threads if slow else slow_threads).users == []
 
 
+def test_long_answers_take_several_turns(monkeypatch):
+    """Nothing is sent twice, and a turn ends with the update that is under way."""
+    threads, now = Threads(), [0.0]
+    monkeypatch.setattr(connection, "_quick_threads", threads)
+    monkeypatch.setattr(connection, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    told = []
+
+    async def send(content):
+        told.append((len(threads.users), content))
+
+    def updates():
+        for _ in range(5):
+            now[0] += 0.6 * connection._TURN
+            yield None
+        yield {"type": "frame"}
+        yield {"type": "over"}
+
+    page = SimpleNamespace(scope={"client": ("h", 80)}, send_text=send)
+    asyncio.run(connection._answer(page, updates(), slow=False))
+    assert threads.users == ["h"] * 3
+    assert told == [(3, '{"type": "frame"}'), (3, '{"type": "over"}')]
+
+
 def test_games_and_films_wait_elsewhere_than_frames(monkeypatch):
     """Whatever a page sends, `_play` says which of the two it is."""
     computed = []
 
     async def answer(websocket, replies, *, slow):
-        computed.append((slow, [reply["type"] for reply in replies]))
+        computed.append((slow, [reply["type"] for reply in replies if reply]))
 
     monkeypatch.setattr(connection, "_answer", answer)
 
@@ -179,7 +202,7 @@ def test_games_and_films_wait_elsewhere_than_frames(monkeypatch):
         ):
             inbox.put_nowait(json.dumps(message))
         playing = asyncio.create_task(connection._play(None, inbox))
-        while len(computed) < 6:
+        while len(computed) < 6 and not playing.done():
             await asyncio.sleep(0.01)
         playing.cancel()
 

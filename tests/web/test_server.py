@@ -120,7 +120,7 @@ def test_a_game_over_the_network(server):
 
 
 def test_a_flood_is_dropped_and_the_game_goes_on(server):
-    with server.page() as page:
+    with server.page(close_timeout=1.0) as page:
         say(page, type="new", choices={"evaders": 1, "seed": 3})
         hear(page, "optimal")
         say(page, type="run", pace=1.0)

@@ -11,6 +11,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from covey.web.fair_threads import FairThreads
 from covey.web.messages import is_quick
+from covey.web.origin import address_of
 from covey.web.rate_limit import TokenBucket
 from covey.web.session import Reply, Session, error_reply
 
@@ -24,8 +25,14 @@ _MOST_WAITING = 64
 _REFUSAL = 0.001
 """Seconds for which nothing is read after a refused message. A flood waits in its own network."""
 
-_quick_threads: FairThreads[list[str | bytes]] = FairThreads(1, "covey-frames")
-_slow_threads: FairThreads[list[str | bytes]] = FairThreads(1, "covey-slow-replies")
+_TURN = 0.003
+"""Seconds after which a page lets others go first. A frame of five evaders takes 2 ms."""
+
+Turn = tuple[list[str | bytes], bool]
+"""The contents of messages, and whether all is answered."""
+
+_quick_threads: FairThreads[Turn] = FairThreads(1, "covey-frames")
+_slow_threads: FairThreads[Turn] = FairThreads(1, "covey-slow-replies")
 """What takes long waits in one thread for the worker."""
 
 Inbox = asyncio.Queue[str | bytes]
@@ -94,19 +101,28 @@ async def _play(websocket: WebSocket, inbox: Inbox) -> None:
 
 
 async def _answer(websocket: WebSocket, replies: Iterator[Reply], *, slow: bool) -> None:
-    """Compute replies in a thread when it is the turn of the page's address, and send them."""
-    threads = _slow_threads if slow else _quick_threads
-    user = websocket.client.host if websocket.client else ""
-    for content in await asyncio.wrap_future(threads.submit(user, lambda: _contents(replies))):
-        await _send(websocket, content)
+    """Compute replies in a thread, whenever it is the turn of the page's address, and send them."""
+    threads, user = _slow_threads if slow else _quick_threads, address_of(websocket.scope)
+    answered = False
+    while not answered:
+        turn = asyncio.wrap_future(threads.submit(user, lambda: _take_turn(replies)))
+        contents, answered = await turn
+        for content in contents:
+            await _send(websocket, content)
 
 
-def _contents(replies: Iterator[Reply]) -> list[str | bytes]:
-    """Return the contents of messages."""
-    return [
-        json.dumps(reply, allow_nan=False) if isinstance(reply, dict) else reply
-        for reply in replies
-    ]
+def _take_turn(replies: Iterator[Reply]) -> Turn:
+    """Compute replies for `_TURN` seconds, and what is under way then."""
+    ends = time.monotonic() + _TURN
+    contents = []
+    for reply in replies:
+        if reply is not None:
+            contents.append(
+                json.dumps(reply, allow_nan=False) if isinstance(reply, dict) else reply
+            )
+        if time.monotonic() >= ends:
+            return contents, False
+    return contents, True
 
 
 async def _send(websocket: WebSocket, content: str | bytes) -> None:

@@ -37,7 +37,7 @@ class FairThreads(Generic[Result]):
         began = time.monotonic()
         try:
             future.set_result(call())
-        except BaseException as error:  # noqa: BLE001 it is raised where the result is awaited
+        except BaseException as error:  # raised where the result is awaited
             future.set_exception(error)
         # Time on the clock, since kernels may run in further threads. It counts, too, for who left.
         with self._lock:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 import json
 import logging
 import socket
@@ -19,8 +20,8 @@ from covey.model import InputError
 from covey.web.app import make_app
 from covey.web.protocol import LimitedProtocol
 from covey.web.session import Session
-from covey.web.worker import worker
 from covey.web.upload import MOST_BYTES
+from covey.web.worker import worker
 
 _GRACE = 1
 """Seconds for open pages to close when the server ends."""
@@ -41,6 +42,7 @@ def serve(host: str, port: int, *, open_browser: bool) -> None:
     with listener:
         worker.start()
         warm_up()
+        gc.freeze()  # what stays is not looked through again, which would stop every game for 40 ms
         address = page_address(host, listener.getsockname()[1])
         print(f"covey: the page is at {address}\nCtrl-C ends it.", flush=True)
         if open_browser:

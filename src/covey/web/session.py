@@ -19,8 +19,11 @@ from covey.web.worker import worker
 STEP_UPDATES = 10
 """Updates of a step by hand: enough to be seen."""
 
-Reply = dict[str, Any] | str | bytes
-"""A message to the page, sent as JSON, or JSON already; bytes are a file."""
+Reply = dict[str, Any] | str | bytes | None
+"""A message to the page, sent as JSON, or JSON already; bytes are a file.
+
+None is no message: between two updates, other pages may have a turn.
+"""
 
 
 class Session:
@@ -99,8 +102,11 @@ class Session:
         }
 
     def _play(self, updates: int, now: float) -> Iterator[Reply]:
-        game = self._current_game()
-        self._pacer.count(now, game.advance(updates))
+        game, played = self._current_game(), 0
+        for _ in range(updates):
+            played += game.advance(1)
+            yield None
+        self._pacer.count(now, played)
         yield {"type": "frame", "rate": self._pacer.rate(now), **frame(game.record(), -1)}
         if game.over:
             self._pacer.pause()

@@ -17,7 +17,7 @@ _ONE_NUMBER = {"BOOLEAN", "INT32", "INT64", "FLOAT", "DOUBLE"}
 
 
 def read_upload(content: bytes) -> str:
-    """Return the message that replays the game in a file, or raise InputError that says why there is none."""
+    """Return the message that replays the game in a file, or say in an InputError what is wrong."""
     for kind, most, size in (
         ("bytes", MOST_BYTES, len(content)),
         ("numbers", MOST_NUMBERS, _numbers(content)),
