@@ -1,8 +1,10 @@
 """How much a bad page slows another page's game. Run with `make bench ARGS='-k bad_pages'`.
 
 A good page plays alone and beside the bad one, in turns. The ratio is that of the mean times
-between frames. Server, good page and bad page are processes of their own. A machine with fewer free
-cores than processes shows more than the server is to blame for.
+between frames. The bad page has another address, as if it were on another machine, since the server
+shares its time among addresses. It competes for this machine's processors all the same, as do the
+server, its worker and the good page, each a process of its own. On fewer free cores than busy
+processes, the ratios show more than the server is to blame for.
 """
 
 from __future__ import annotations
@@ -49,6 +51,7 @@ def frames(page, seconds):
 
 
 def from_another_machine(bad, port, seconds):
+    """Needs a system that answers to all of 127.0.0.0/8, as Linux does."""
     bad_pages.address = "127.0.0.2"
     bad(port, seconds)
 
