@@ -11,6 +11,7 @@ import time
 from contextlib import ExitStack, contextmanager, suppress
 
 NEW = json.dumps({"type": "new", "choices": {"evaders": 1, "capture_radius": 0.01}}).encode()
+NEW_OF_FIVE = json.dumps({"type": "new", "choices": {"capture_radius": 0.01}}).encode()
 LARGEST = {"evaders": 10, "capture_radius": 0.01, "speed": 0.5, "pursuer_speed": 1.2}
 NEW_LARGEST = json.dumps({"type": "new", "choices": LARGEST}).encode()
 FILM = b'{"type": "film", "game": "optimal"}'
@@ -151,13 +152,15 @@ def crowd_of_games(port, seconds):
 
 
 def crowd_of_running_games(port, seconds):
-    """On each page runs the largest game."""
-    reading_crowd(port, seconds, frame(TEXT, NEW_LARGEST) + frame(TEXT, RUN))
+    """On each page runs a game of five, as fast as it can. Larger ones wait longer to be set up."""
+    reading_crowd(
+        port, seconds, frame(TEXT, NEW_OF_FIVE) + frame(TEXT, b'{"type": "run", "pace": 2.0}')
+    )
 
 
 def crowd_of_films(port, seconds):
     """Each page asks for film after film."""
-    reading_crowd(port, seconds, frame(TEXT, NEW_LARGEST) + frame(TEXT, FILM) * 50)
+    reading_crowd(port, seconds, frame(TEXT, NEW_OF_FIVE) + frame(TEXT, FILM) * 50)
 
 
 def reconnects(port, seconds):

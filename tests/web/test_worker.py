@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 import subprocess
@@ -11,6 +12,7 @@ import pytest
 
 import covey
 from covey.simulation.storage import read_game
+from covey.web import server
 from covey.web import worker as module
 from covey.web.session import Session
 from covey.web.worker import Worker
@@ -89,10 +91,10 @@ def test_it_ends_with_a_server_that_was_killed(tmp_path):
         "    print(worker.call(os.getpid), flush=True)\n"
         "    worker.call(time.sleep, 60)\n"
     )
-    with subprocess.Popen([sys.executable, program], stdout=subprocess.PIPE, text=True) as server:
-        process = int(server.stdout.readline())
+    with subprocess.Popen([sys.executable, program], stdout=subprocess.PIPE, text=True) as parent:
+        process = int(parent.stdout.readline())
         assert alive(process)
-        server.kill()
+        parent.kill()
     wait_for(lambda: not alive(process))
 
 
@@ -112,9 +114,26 @@ def test_films_files_uploads_and_the_optimal_game_are_made_there(monkeypatch):
     assert called == ["simulate", "film", "_file", "read_upload"]
 
 
+def test_the_server_has_one_until_it_ends(monkeypatch):
+    processes = []
+
+    class Server:
+        def __init__(self, config):
+            pass
+
+        def run(self, sockets):
+            processes.append(module.worker.call(os.getpid))
+
+    monkeypatch.setattr(server.uvicorn, "Server", Server)
+    server.serve("127.0.0.1", 0, open_browser=False)
+    gc.unfreeze()
+    processes.append(module.worker.call(os.getpid))
+    assert processes[0] != processes[1] == os.getpid()
+
+
 def test_a_page_notices_nothing_of_it(worker, monkeypatch):
     monkeypatch.setattr(module.worker, "_pool", worker._pool)
-    with serving() as server, server.page() as page:
+    with serving() as served, served.page() as page:
         say(page, type="new", choices={"evaders": 2, "seed": 3})
         time = hear(page, "optimal")["survival_time"]
         say(page, type="film", game="optimal")

@@ -23,7 +23,7 @@ MOST_PAGES = 200
 """At once; the server tells another page to come back later."""
 
 _REQUESTS_PER_SECOND, _REQUESTS_AT_ONCE = 50.0, 200
-"""Of one address. A page makes two dozen when it is opened, each of 1 to 3 ms."""
+"""Of one address. A page makes 16 when it is opened, each takes 1 to 3 ms."""
 
 _FOLDER = Path(__file__).parent / "page"
 _TRY_AGAIN_LATER = 1013

@@ -28,7 +28,7 @@ def read_upload(content: bytes) -> str:
             )
     game = read_game(content, "record")
     try:
-        return film(game, "opened")  # no row, or a nan, is an error
+        return film(game, "opened")  # a nan is an error
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
         raise InputError(f"record: it contradicts itself: {error}") from error
 
