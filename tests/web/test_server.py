@@ -18,6 +18,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 import covey.web
 from covey.model import InputError
 from covey.web import app
+from covey.web.fair_threads import FairThreads
 from covey.web.human_game import UPDATE_TIME
 from covey.web.origin import is_own_host, is_own_origin
 from covey.web.server import listen, page_address
@@ -120,7 +121,7 @@ def test_a_game_over_the_network(server):
 
 
 def test_a_flood_is_dropped_and_the_game_goes_on(server):
-    with server.page() as page:
+    with server.page(close_timeout=1.0) as page:
         say(page, type="new", choices={"evaders": 1, "seed": 3})
         hear(page, "optimal")
         say(page, type="run", pace=1.0)
@@ -206,6 +207,20 @@ def pace_and_rate(frames):
     steady = [frame for frame in frames if frame[0] > frames[0][0] + 1.0]
     (since, before, _), (last, time, _) = steady[0], steady[-1]
     return (time - before) / (last - since), np.mean([rate for _, _, rate in steady])
+
+
+def test_an_address_cannot_be_made_up(server, monkeypatch):
+    users, submit = set(), FairThreads.submit
+
+    def noted(self, user, call):
+        users.add(user)
+        return submit(self, user, call)
+
+    monkeypatch.setattr(FairThreads, "submit", noted)
+    with server.page(additional_headers={"X-Forwarded-For": "192.0.2.1"}) as page:
+        say(page, type="new", choices={"evaders": 1})
+        hear(page, "game")
+    assert users == {"127.0.0.1"}
 
 
 def test_fifty_pages_slow_down_and_say_so(server):

@@ -36,11 +36,17 @@ class Page:
         return self.send(json.dumps(message))
 
     def send(self, content):
-        return list(self.session.receive(content, self.now))
+        return self.heard(self.session.receive(content, self.now))
 
     def wait(self, seconds):
         self.now += seconds
-        return list(self.session.advance(self.now))
+        return self.heard(self.session.advance(self.now))
+
+    @staticmethod
+    def heard(replies):
+        """The messages, without the moments at which others may have a turn."""
+        messages = [reply for reply in replies if reply is not None]
+        return [json.loads(each) if isinstance(each, str) else each for each in messages]
 
     def play(self, pace=1.0):
         """Chase to the end; return the score."""
@@ -95,6 +101,17 @@ def test_pause_and_step():
     (frame,) = page.ask(type="step")
     assert frame["time"] == pytest.approx(0.015 + 0.05)
     assert page.wait(1.0) == []
+
+
+def test_between_two_updates_others_may_have_a_turn():
+    page = Page(evaders=2, seed=1, capture_radius=0.01)
+    page.ask(type="run", pace=1.0)
+    assert [reply and reply["type"] for reply in page.session.advance(0.0151)] == [
+        *[None] * 3,
+        "frame",
+    ]
+    step = page.session.receive('{"type": "step"}', 0.02)
+    assert [reply and reply["type"] for reply in step] == [*[None] * 10, "frame"]
 
 
 def test_a_new_game_stands_still_although_the_last_one_ran():

@@ -12,6 +12,7 @@ from covey.simulation import Game, Settings
 from covey.simulation.match import Match
 from covey.web.choices import Choices
 from covey.web.human_pursuer import HumanPursuer
+from covey.web.worker import worker
 
 UPDATE_TIME = 0.005
 """Of the game's time: even at a quarter of real time the team plans every 20 ms."""
@@ -83,7 +84,8 @@ class HumanGame:
     def optimal(self) -> Game:
         """The game of the committed pursuer against the same team."""
         team, disk = self._choices.game()
-        return simulate(
+        return worker.call(
+            simulate,
             team,
             disk,
             evaders=self._choices.team_strategy(),

@@ -9,17 +9,21 @@ from typing import Any
 from covey.model import InputError
 from covey.simulation import Game
 from covey.simulation.storage import write_game
-from covey.web.game_json import frame, header, replay
+from covey.web.game_json import film, frame, header
 from covey.web.human_game import TIME_LIMIT, UPDATE_TIME, HumanGame
 from covey.web.messages import Film, New, Pause, Run, Save, Steer, Step, read_message
 from covey.web.pacing import Pacer
 from covey.web.upload import read_upload
+from covey.web.worker import worker
 
 STEP_UPDATES = 10
 """Updates of a step by hand: enough to be seen."""
 
-Reply = dict[str, Any] | bytes
-"""A message to the page, sent as JSON; bytes are a file."""
+Reply = dict[str, Any] | str | bytes | None
+"""A message to the page, sent as JSON, or JSON already; bytes are a file.
+
+None is no message: between two updates, other pages may have a turn.
+"""
 
 
 class Session:
@@ -45,7 +49,7 @@ class Session:
         """Do what a page asks for, and answer. A mistake is answered too, and changes nothing."""
         try:
             if isinstance(message, bytes):
-                yield {"type": "film", "game": "opened", **read_upload(message)}
+                yield worker.call(read_upload, message)
             else:
                 yield from self._answer(message, now)
         except InputError as error:
@@ -79,9 +83,9 @@ class Session:
                 self._pacer.pause()
                 yield from self._play(STEP_UPDATES, now)
             case Film(game=which):
-                yield {"type": "film", "game": which, **replay(self._whole_game(which))}
+                yield worker.call(film, self._whole_game(which), which)
             case Save(game=which):
-                yield _file(self._whole_game(which))
+                yield worker.call(_file, self._whole_game(which))
 
     def _set_up(self, message: New) -> Reply:
         game = HumanGame(message.choices)
@@ -98,8 +102,11 @@ class Session:
         }
 
     def _play(self, updates: int, now: float) -> Iterator[Reply]:
-        game = self._current_game()
-        self._pacer.count(now, game.advance(updates))
+        game, played = self._current_game(), 0
+        for _ in range(updates):
+            played += game.advance(1)
+            yield None
+        self._pacer.count(now, played)
         yield {"type": "frame", "rate": self._pacer.rate(now), **frame(game.record(), -1)}
         if game.over:
             self._pacer.pause()
