@@ -45,13 +45,15 @@ def check(content):
             replies = session.receive(base64.b64decode(event["upload"]), now)
         else:
             replies = session.receive(event["send"], now)
-        answers += [_answer(reply) for reply in replies]
+        answers += [_answer(reply) for reply in replies if reply is not None]
     return "\n".join(answers)
 
 
 def _answer(reply):
     if isinstance(reply, bytes):
         return "file"
+    if isinstance(reply, str):
+        return json.loads(reply)["type"]
     json.dumps(reply, allow_nan=False).encode()
     if reply["type"] == "error":
         text = reply["text"]
