@@ -141,7 +141,8 @@ def promise_of_a_row(case, game):
         game.disk_centers[row], game.disk_radii[row], case.disk.speed, case.disk.capture_radius
     )
     found = covey.guaranteed_survival(team, disk, game.evader_turns[row, numbers])
-    return {"promise of a row": _difference(found.time, game.guarantees[row])}
+    until, recorded = game.times[row] + found.time, game.times[row] + game.guarantees[row]
+    return {"promise of a row": _difference(until, recorded)}
 
 
 def plan_by_itself(case, game):
