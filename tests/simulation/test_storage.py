@@ -237,7 +237,9 @@ def test_an_unknown_format_is_refused_with_what_to_do(unknown, saved):
     header |= {"format": unknown, "version": "99.0"}
     pq.write_table(table.replace_schema_metadata({b"covey": json.dumps(header)}), saved)
     message = refused(saved)
-    assert message.startswith(f"written by covey 99.0 in record format {unknown!r}, and this covey")
+    assert message.startswith(
+        f"written by covey '99.0' in record format {unknown!r}, and this covey"
+    )
     assert message.endswith(f" reads format {FORMAT}; use that covey, or simulate anew")
 
 

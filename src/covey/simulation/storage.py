@@ -23,6 +23,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from covey.model import InputError, LastCapture, PursuerDisk, Team
+from covey.model.validation import shown
 from covey.simulation.consistency import require_consistent
 from covey.simulation.files import whole_file
 from covey.simulation.record import Game, GameStatus
@@ -187,8 +188,9 @@ def _read(content: bytes) -> tuple[dict[str, Any], Any]:
     header = json.loads(notes[_KEY], object_hook=_number)
     if header["format"] != FORMAT:
         raise _NotARecordError(
-            f"written by covey {header['version']} in record format {header['format']!r}, and this "
-            f"covey {version('covey')} reads format {FORMAT}; use that covey, or simulate anew"
+            f"written by covey {shown(header['version'])} in record format "
+            f"{shown(header['format'])}, and this covey {version('covey')} reads format {FORMAT}; "
+            f"use that covey, or simulate anew"
         )
     if notes[_CHECKSUM_KEY] != _checksum(notes[_KEY], table):
         raise ValueError("checksum")

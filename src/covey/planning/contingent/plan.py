@@ -50,9 +50,10 @@ _STARTS = 16  # of the search for each open-loop plan
 class Node(NamedTuple):
     """A node of a tree, and the game when the node begins."""
 
-    moment: Moment
+    moment: Moment  # its origin is the centre of the disk that the tree was planned for
     turns: Floats  # of the node's subtree, flat
     depth: int
+    origin: Floats  # (2,)
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,6 +97,21 @@ class ContingentPlan:
     steps: int
     node: Node = field(repr=False)
 
+    @property
+    def team(self) -> Team:
+        """The evaders, where this plan begins."""
+        x, y, headings, speeds, turn_rates = self.node.moment.evaders.T
+        positions = np.column_stack([x, y]) + self.node.origin
+        return Team(positions, headings, speeds, turn_rates)
+
+    @property
+    def disk(self) -> PursuerDisk:
+        """Where the pursuer can be then."""
+        pursuit = self.node.moment.pursuit
+        center = self.node.origin + np.array([pursuit.center_x, pursuit.center_y])
+        reach = 0.5 * pursuit.later_radius
+        return PursuerDisk(center, pursuit.first_radius - reach, pursuit.speed, reach)
+
     @cached_property
     def with_delays(self) -> DelayedGuarantee:
         """What is guaranteed if the pursuer may put off each capture; computed at first use.
@@ -108,7 +124,7 @@ class ContingentPlan:
         >>> tree.with_delays.survival_time <= tree.survival_time
         True
         """
-        moment, turns, depth = self.node
+        moment, turns, depth, _ = self.node
         tree = Tree(turns, depth, tree_sizes(len(self.turns), depth))
         return with_delays(moment, tree, self.survival_time)
 
@@ -131,7 +147,7 @@ class ContingentPlan:
             raise InputError(
                 f"i: expected an evader after whose capture others live, {others}, got {i}"
             )
-        moment, turns, depth = self.node
+        moment, turns, depth, origin = self.node
         rank, n = self.evaders.index(i), len(self.evaders)
         now = turns[:n]
         time = float(moment.earliest(now)[rank])
@@ -139,7 +155,7 @@ class ContingentPlan:
         evaders = tuple(j for j in self.evaders if j != i)
         if depth > 0:
             left = answer_to(turns, n, rank)
-        node = Node(after, left, max(depth - 1, 0))
+        node = Node(after, left, max(depth - 1, 0), origin)
         return _plan_of(node, evaders, self.status, (0, 0), [])
 
 
@@ -194,10 +210,10 @@ def plan_contingent(
     moment = Moment(own.as_rows(), pursuit_of(about))
     first = plan(team, disk, seed=seed)
     if depth == 0:
-        node, cost = Node(moment, first.turns, 0), (first.starts, first.steps)
+        node, cost = Node(moment, first.turns, 0, disk.center), (first.starts, first.steps)
         return _plan_of(node, evaders, first.status, cost, list(first.critical_sequences))
     found = _deeper_and_deeper(moment, depth, first, seed)
-    node, cost = Node(moment, found.turns, depth), (found.starts, found.steps)
+    node, cost = Node(moment, found.turns, depth, disk.center), (found.starts, found.steps)
     critical = _sequences(found.branches, n)
     return _plan_of(node, evaders, PLAN_STATUS[found.status], cost, critical)
 
@@ -237,7 +253,7 @@ def _plan_of(
     candidates: list[tuple[int, ...]],
 ) -> ContingentPlan:
     """Return the plan of a node; what it guarantees follows from its turns alone."""
-    moment, turns, depth = node
+    moment, turns, depth, _ = node
     n = len(evaders)
     problem, tree = problem_of(moment), Tree(turns, depth, tree_sizes(n, depth))
     worst = np.zeros(n, np.int64)
