@@ -73,7 +73,8 @@ def test_a_mistake_of_a_strategy(strategy, line, tmp_path):
             '"straigt-away"',
             ': expected one of "open-loop", "iterative-open-loop", "contingent", '
             '"constant-heading", "straight-away", "hold-course", "known-sequence", '
-            '"largest-distance", "smallest-danger", got "straigt-away"; did you mean "straight-away"?',
+            '"largest-distance", "smallest-danger", got "straigt-away"; '
+            'did you mean "straight-away"?',
         ),
     ],
 )

@@ -195,9 +195,11 @@ def minimum_below(
     rest = Pursuit(
         disk[CENTER_X], disk[CENTER_Y], disk[RADIUS], pursuit.later_radius, pursuit.speed
     )
-    sequence = scratch.sequence[: n - level]
-    value, interceptions = inner_minimum(paths, rest, False, bound - disk[TIME], sequence, scratch)
-    return min(disk[TIME] + value, bound), interceptions
+    sequence, left = scratch.sequence[: n - level], bound - disk[TIME]
+    value, interceptions = inner_minimum(paths, rest, False, left, sequence, scratch)
+    # Without a sequence below, the sum may be below the bound by rounding.
+    least = min(disk[TIME] + value, bound) if value < left else bound
+    return least, interceptions
 
 
 @inlined

@@ -40,6 +40,20 @@ class Moment(NamedTuple):
         return times
 
 
+def fly_on(moment: Moment, turns: Floats, time: float) -> tuple[Moment, Floats]:
+    """Return the moment when all have flown on for a time, and what is left of their turns (n,)."""
+    positions = np.empty((1, len(turns), 2))
+    sample(moment.paths(turns), np.array([time]), positions)
+    rates = moment.evaders[:, TURN_RATE]
+    at_once = np.isinf(rates)
+    most = np.where(at_once, math.pi, np.where(at_once, 0.0, rates) * time)
+    turned = np.clip(turns, -most, most)
+    evaders = moment.evaders.copy()
+    evaders[:, [X, Y]] = positions[0]
+    evaders[:, HEADING] += turned
+    return Moment(evaders, moment.pursuit), turns - turned
+
+
 def after_capture(moment: Moment, turns: Floats, rank: int, time: float) -> tuple[Moment, Floats]:
     """Return the moment when an evader is captured, and what is left of the others' turns (n - 1,).
 
@@ -54,19 +68,12 @@ def after_capture(moment: Moment, turns: Floats, rank: int, time: float) -> tupl
     time
         Since `moment`.
     """
-    positions = np.empty((1, len(turns), 2))
-    sample(moment.paths(turns), np.array([time]), positions)
-    rates = moment.evaders[:, TURN_RATE]
-    turned = np.where(rates > 0.0, np.clip(turns, -rates * time, rates * time), 0.0)
-    if time == 0.0:
-        turned = np.where(np.isinf(rates), turns, 0.0)
-    evaders = moment.evaders.copy()
-    evaders[:, [X, Y]] = positions[0]
-    evaders[:, HEADING] += turned
-    radius, (x, y) = moment.pursuit.later_radius, positions[0, rank].tolist()
+    then, left = fly_on(moment, turns, time)
+    x, y = then.evaders[rank, [X, Y]].tolist()
+    radius = moment.pursuit.later_radius
     pursuit = moment.pursuit._replace(center_x=x, center_y=y, first_radius=radius)
-    left = np.arange(len(turns)) != rank
-    return Moment(evaders[left], pursuit), (turns - turned)[left]
+    others = np.arange(len(turns)) != rank
+    return Moment(then.evaders[others], pursuit), left[others]
 
 
 def last_turn(moment: Moment) -> Floats:
