@@ -49,7 +49,7 @@ def play(team, disk, evaders=STRAIGHT_AWAY, sensing="visible", **options):
 @pytest.mark.parametrize("sensing", ["visible", "hidden"])
 @pytest.mark.parametrize("name", TEAMS)
 def test_everybody_is_captured_by_an_assurance_that_never_rises(name, sensing):
-    for seed in range(8):
+    for seed in range(6):
         team, disk = random_game(
             np.random.default_rng(seed),
             1 + seed % 4,
