@@ -135,6 +135,10 @@ def _best_sequence(generator, setting):
     return Player("best sequence", covey.BestSequence(), compiled=True, ends=True)
 
 
+def _assured(generator, setting):
+    return Player("assured", covey.AssuredPursuer(), ends=True)
+
+
 def _random_sequence(generator, setting):
     return Player("random sequence", covey.RandomSequence(), compiled=True, ends=True)
 
@@ -247,6 +251,7 @@ COMPILED_PURSUERS = {
     _best_sequence: 1,
 }
 INTERPRETED_PURSUERS = {
+    _assured: 3,
     _flying: 4,
     _nearest_first: 3,
     _delayed: 3,

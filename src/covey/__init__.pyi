@@ -21,6 +21,7 @@ from .planning import capture_times as capture_times
 from .planning import expected_survival as expected_survival
 from .planning import guaranteed_survival as guaranteed_survival
 from .planning import plan as plan
+from .players import AssuredPursuer as AssuredPursuer
 from .players import BestSequence as BestSequence
 from .players import CommittedPursuer as CommittedPursuer
 from .players import ConstantHeading as ConstantHeading

@@ -65,7 +65,7 @@ def test_a_whole_game_is_played_scored_saved_and_replayed(open_page, sensing, tm
     tab = open_page(f"?evaders=3&seed=4&capture_radius=0.08&sensing={sensing}")
     tab.set_pace("1")
     score = tab.chase()
-    tab.see("as quick as the optimal pursuer")
+    tab.see("as quick as the paper's pursuer")
 
     with tab.page.expect_download() as download:
         tab.page.get_by_role("button", name="Save record").click()
@@ -79,7 +79,7 @@ def test_a_whole_game_is_played_scored_saved_and_replayed(open_page, sensing, tm
     ).survival_time
     assert score["time"] == game.survival_time >= game.guarantee - 1e-9
 
-    # The score is the person against the optimal pursuer.
+    # The score is the person against the paper's pursuer.
     share = optimal / game.survival_time
     assert tab.text("card-score") == f"{round(100 * share)} %"
     figures = tab.text("card-figures").split("\n")
@@ -102,7 +102,7 @@ def test_a_whole_game_is_played_scored_saved_and_replayed(open_page, sensing, tm
     tab.see("replay of your game")
     tab.wait(lambda: float(tab.text("clock")) > 0.3)
     tab.page.get_by_role("button", name="Back to your game").click()
-    tab.see("as quick as the optimal pursuer")
+    tab.see("as quick as the paper's pursuer")
     tab.page.get_by_role("button", name="Play again").click()
     tab.see("Press on the board to start")
 
@@ -187,10 +187,10 @@ def test_nonsense_in_the_address_is_answered(browser, server):
     tab.context.close()
 
 
-def test_the_optimal_pursuer_plays_the_same_start(open_page):
+def test_the_papers_pursuer_plays_the_same_start(open_page):
     tab = open_page("?evaders=2&seed=3")
     tab.set_pace("2")
-    tab.page.get_by_role("button", name="Watch the optimal pursuer").click()
+    tab.page.get_by_role("button", name="Watch the paper's pursuer").click()
     tab.wait(lambda: "film" in tab.heard)
     film = tab.heard["film"]
     assert film["pictures"][0]["evaders"] == tab.heard["game"]["picture"]["evaders"]

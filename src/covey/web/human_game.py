@@ -1,4 +1,4 @@
-"""A game that a person plays, the optimal pursuer's game from the same start, and the score."""
+"""A game that a person plays, the paper's pursuer's game from the same start, and the score."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ LONGEST_GUARANTEE = 60.0
 
 
 class GameScore(NamedTuple):
-    """A person against the optimal pursuer; None where not everybody was captured.
+    """A person against the paper's pursuer; None where not everybody was captured.
 
     Attributes
     ----------
@@ -33,7 +33,7 @@ class GameScore(NamedTuple):
     above : float or None
         `time` minus the guarantee of the first plan.
     share : float
-        Survival time against the optimal pursuer over `time`: 1 is as good, 0 if `time` is None.
+        Survival time against the paper's pursuer over `time`: 1 is as good, 0 if `time` is None.
     """
 
     time: float | None

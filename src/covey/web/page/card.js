@@ -54,11 +54,11 @@ export class Card {
       title: best ? "Your best at this game" : "All captured",
       score: percent(share),
       text: sure
-        ? `as quick as the optimal pursuer, and ${short(Math.max(above, 0))} above what the team was sure of.`
-        : "as quick as the optimal pursuer.",
+        ? `as quick as the paper's pursuer, and ${short(Math.max(above, 0))} above what the team was sure of.`
+        : "as quick as the paper's pursuer.",
       figures: [
         ["you", "You", short(time)],
-        ["optimal", "Optimal", short(optimal)],
+        ["optimal", "The paper's", short(optimal)],
         ["guaranteed", sure ? "Guaranteed" : "First plan", short(guarantee)],
       ],
       actions,
@@ -66,7 +66,7 @@ export class Card {
   }
 
   watched(which, time, actions) {
-    const titles = { optimal: "The optimal pursuer", yours: "Your game", opened: "The record" };
+    const titles = { optimal: "The paper's pursuer", yours: "Your game", opened: "The record" };
     const text = time === null ? "Not everybody was captured." : `The last was captured at ${short(time)}.`;
     this.show({ title: titles[which], text, actions, ready: true });
   }

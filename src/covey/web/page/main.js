@@ -135,7 +135,7 @@ function gameIsOver(score) {
     showBest();
   }
   showOver();
-  say(score.time === null ? "Time is up." : `Game over: survival time ${short(score.time)}, ${Math.round(100 * score.share)} percent of the optimal pursuer.`);
+  say(score.time === null ? "Time is up." : `Game over: survival time ${short(score.time)}, ${Math.round(100 * score.share)} percent of the paper's pursuer.`);
 }
 
 function showOver() {
@@ -144,7 +144,7 @@ function showOver() {
   card.over(state.score, figures, [
     ["Play again", newGame],
     ["Another start", anotherGame],
-    ["Watch the optimal pursuer", () => watch("optimal")],
+    ["Watch the paper's pursuer", () => watch("optimal")],
     ["Replay yours", () => watch("yours")],
   ]);
 }
@@ -265,7 +265,7 @@ function drawMoment(moment, now, seconds) {
 }
 
 function label(above, sure) {
-  const what = { optimal: "the optimal pursuer", yours: "replay of your game", opened: "record" }[state.watching];
+  const what = { optimal: "the paper's pursuer", yours: "replay of your game", opened: "record" }[state.watching];
   return `${what ?? "survival time"}${above > 0 ? `, ${short(above)} above the ${sure ? "guarantee" : "first plan"}` : ""}`;
 }
 

@@ -1,4 +1,4 @@
-// Time as a line: now, the captures, the guarantee, the optimal pursuer's survival time.
+// Time as a line: now, the captures, the guarantee, the survival time with the paper's pursuer.
 
 const WORDS = { guaranteed: 104, optimal: 82 }; // pixels
 
@@ -27,7 +27,7 @@ export class Timeline {
     if (optimal !== null) {
       const early = Math.min(guarantee, optimal) / span;
       const late = Math.max(guarantee, optimal) / span;
-      marks.push(mark("optimal", optimal / span, `optimal ${short(optimal)}`));
+      marks.push(mark("optimal", optimal / span, `paper's ${short(optimal)}`));
       // The words are outside of the two marks or, without room there, at the ends.
       const [first, last] = guarantee <= optimal ? ["guaranteed", "optimal"] : ["optimal", "guaranteed"];
       const roomy = width * early > WORDS[first] && width * (1 - late) > WORDS[last];
