@@ -264,7 +264,14 @@ def test_more_evaders_than_can_play_are_refused():
         **row,
         **{
             name: getattr(RECORDS[5], name)[:1]
-            for name in ("times", "guarantees", "pursuer_positions", "disk_centers", "disk_radii")
+            for name in (
+                "times",
+                "guarantees",
+                "assurances",
+                "pursuer_positions",
+                "disk_centers",
+                "disk_radii",
+            )
         },
         team=RECORDS[5].team.take(np.zeros(21, np.int64)),
         critical_sequences=np.arange(21)[None],
