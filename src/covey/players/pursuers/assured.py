@@ -7,10 +7,12 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from covey.bounds import bracket
+from covey.bounds import bracket, plan_for_sequence
 from covey.bounds.candidates import Candidates
+from covey.bounds.polygon_bound import last_capture_bound
+from covey.model import PursuerDisk, Team
 from covey.planning import capture_times
-from covey.players.pursuers.parallel_approach import approach
+from covey.players.pursuers.parallel_approach import after_flight, approaches
 from covey.simulation import Chase, Fly, PursuerPolicy, Situation
 
 _EQUAL = 1e-9
@@ -40,8 +42,6 @@ class AssuredPursuer:
     whatever the objective is.
     """
 
-    in_any_frame = True
-
     def describe(self) -> Mapping[str, Any]:
         """Return the name, as a scenario file gives it."""
         return {"name": "assured"}
@@ -53,6 +53,8 @@ class AssuredPursuer:
 
 class _AssuredPolicy:
     """The policy of an `AssuredPursuer` in one game."""
+
+    in_any_frame = True
 
     def __init__(self, seed: int) -> None:
         self._seed = seed
@@ -119,13 +121,28 @@ class _AssuredPolicy:
         self._assurance = proven[self._sequence]
 
     def _follow(self, situation: Situation) -> Chase | Fly:
-        velocity = approach(situation, situation.evaders.index(self._sequence[0]))
-        if velocity is None:
+        velocities = approaches(situation, situation.evaders.index(self._sequence[0]))
+        if not velocities:
             return Chase(self._sequence, self._assurance)
-        return Fly(velocity, self._sequence, self._assurance)
+        if len(velocities) > 1:
+            velocities.sort(key=lambda velocity: _proven_end(self._sequence, situation, velocity))
+        return Fly(velocities[0], self._sequence, self._assurance)
 
 
 def _planned_end(sequence: Iterable[int], situation: Situation) -> float:
     """Return the last capture in a sequence if all fly what they have announced."""
     rows = [situation.evaders.index(i) for i in sequence]
     return float(capture_times(situation.team, situation.pursuer, situation.turns, rows)[-1])
+
+
+def _proven_end(
+    sequence: tuple[int, ...], situation: Situation, velocity: tuple[float, float]
+) -> float:
+    """Return a time by which everybody is captured in a sequence, after a flight."""
+    end = after_flight(situation, velocity)
+    rows = [end.evaders.index(i) for i in sequence if i in end.evaders]
+    if not rows:
+        return end.time
+    agile = Team(end.team.positions, end.team.headings, end.team.speeds, math.inf)
+    point = PursuerDisk(end.pursuer.center, 0.0, end.pursuer.speed)
+    return end.time + last_capture_bound(agile, end.pursuer, plan_for_sequence(agile, point, rows))
