@@ -12,7 +12,7 @@ from contextlib import ExitStack, contextmanager, suppress
 NEW = json.dumps({"type": "new", "choices": {"evaders": 1, "capture_radius": 0.01}}).encode()
 LARGEST = {"evaders": 10, "capture_radius": 0.01, "speed": 0.5, "pursuer_speed": 1.2}
 NEW_LARGEST = json.dumps({"type": "new", "choices": LARGEST}).encode()
-FILM = b'{"type": "film", "game": "optimal"}'
+FILM = b'{"type": "film", "game": "reference"}'
 RUN = b'{"type": "run"}'
 
 TEXT, BYTES, CLOSE, PING = 1, 2, 8, 9

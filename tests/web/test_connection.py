@@ -123,7 +123,7 @@ def test_a_file_is_answered_before_more_is_read():
         ("nonsense", True),
         ('{"type": "new", "choices": {}}', False),
         ('{"type": "steer", "type": "new", "choices": {}}', False),  # the last one counts
-        ('{"type": "film", "game": "optimal"}', False),
+        ('{"type": "film", "game": "reference"}', False),
         ('{"type": "save", "game": "yours"}', False),
         (b"PAR1", False),
     ],

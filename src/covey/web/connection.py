@@ -94,7 +94,7 @@ async def _play(websocket: WebSocket, inbox: Inbox) -> None:
             await _answer(websocket, replies, None if is_quick(message) else work)
             inbox.task_done()
         replies = session.advance(time.monotonic())
-        await _answer(websocket, replies, work if session.optimal_pending else None)
+        await _answer(websocket, replies, work if session.reference_pending else None)
         if session.busy:
             await asyncio.sleep(max(0.0, began + _FRAME - time.monotonic()))
 

@@ -128,8 +128,8 @@ def test_with_a_capture_radius_the_bearing_is_kept_until_the_flight_ends(seed):
     turns = generator.choice([-math.pi, math.pi], 4)
     situation = situation_of(team, disk, turns, 0.8)
     (velocity,) = approaches(situation, 0)
-    end, rate = after_flight(situation, velocity), math.pi / 2 * np.sign(turns[0])
-    first, last = team.headings[0], team.headings[0] + rate * end.time
+    (time, end), rate = after_flight(situation, velocity), math.pi / 2 * np.sign(turns[0])
+    first, last = team.headings[0], team.headings[0] + rate * time
     chord = np.array([math.sin(last) - math.sin(first), math.cos(first) - math.cos(last)])
     before = team.positions[0] - disk.center
     after = team.positions[0] + 0.25 / rate * chord - end.place
@@ -156,14 +156,24 @@ def test_where_no_flight_keeps_the_bearing_one_with_a_proven_end_is_flown():
     known = situation_of(team, disk, np.array([math.pi, 0.0, 0.0]), 0.4)
     known = dataclasses.replace(known, place=np.zeros(2))
     ends = [after_flight(known, velocity) for velocity in approaches(known, 0)]
-    missing, touching = (end.time + latest(end, sequence) for end in ends)
+    missing, touching = (time + latest(end, sequence) for time, end in ends)
     assured = latest(known, sequence)
     assert touching <= assured < missing
 
     policy = ASSURED.start(0)
     policy._sequence, policy._assurance = sequence, assured
-    flown = after_flight(known, policy._follow(known).velocity)
-    assert flown.time + latest(flown, sequence) == pytest.approx(touching, rel=1e-12)
+    time, flown = after_flight(known, policy._follow(known).velocity)
+    assert time + latest(flown, sequence) == pytest.approx(touching, rel=1e-12)
+
+
+def test_a_last_evader_that_turns_in_the_pursuers_reach_is_captured():
+    """Where the bearing can't be kept exactly, and nobody is left after the flight."""
+    team, disk = covey.Team([[0.3, 0.0]], [0.4], 0.8, 30.0), covey.PursuerDisk(capture_radius=0.03)
+    situation = situation_of(team, disk, np.array([math.pi]), 0.8)
+    for velocity in approaches(situation, 0):
+        time, left = after_flight(situation, velocity)
+        assert left is None
+        assert 0.0 < time < 0.8
 
 
 def latest(known, sequence):

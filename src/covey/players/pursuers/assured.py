@@ -139,10 +139,10 @@ def _proven_end(
     sequence: tuple[int, ...], situation: Situation, velocity: tuple[float, float]
 ) -> float:
     """Return a time by which everybody is captured in a sequence, after a flight."""
-    end = after_flight(situation, velocity)
+    time, end = after_flight(situation, velocity)
+    if end is None:
+        return time
     rows = [end.evaders.index(i) for i in sequence if i in end.evaders]
-    if not rows:
-        return end.time
     agile = Team(end.team.positions, end.team.headings, end.team.speeds, math.inf)
     point = PursuerDisk(end.pursuer.center, 0.0, end.pursuer.speed)
-    return end.time + last_capture_bound(agile, end.pursuer, plan_for_sequence(agile, point, rows))
+    return time + last_capture_bound(agile, end.pursuer, plan_for_sequence(agile, point, rows))

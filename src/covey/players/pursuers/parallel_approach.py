@@ -73,18 +73,23 @@ def _consistent_durations(ended: Callable[[float], float], longest: float) -> li
     return [shorter, longer]
 
 
-def after_flight(situation: Situation, velocity: tuple[float, float]) -> Situation:
-    """Return the situation at the end of a flight, of those evaders that it doesn't capture."""
+def after_flight(
+    situation: Situation, velocity: tuple[float, float]
+) -> tuple[float, Situation | None]:
+    """Return when a flight ends, and the situation then; None if everybody is captured."""
     pursuer, latest = situation.pursuer, situation.until_update
     paths = paths_of(situation.team, pursuer, situation.turns)
     contacts = _contacts(pursuer, paths, velocity, latest)
     duration = float(contacts.min(initial=latest))
     rows = np.flatnonzero(contacts > duration).tolist()
+    time = situation.time + duration
+    if not rows:
+        return time, None
     positions = np.array([_position(paths, row, duration) for row in rows])
     left = situation.team.take(np.array(rows, np.int64))
-    return replace(
+    return time, replace(
         situation,
-        time=situation.time + duration,
+        time=time,
         evaders=tuple(situation.evaders[row] for row in rows),
         team=Team(positions, left.headings, left.speeds, left.turn_rates),
         turns=situation.turns[rows],
