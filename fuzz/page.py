@@ -28,7 +28,7 @@ SOUND = (
     {"type": "pause"},
     {"type": "step"},
     {"type": "film", "game": "yours"},
-    {"type": "film", "game": "optimal"},
+    {"type": "film", "game": "reference"},
     {"type": "save", "game": "yours"},
 )
 WORDS = sorted({key for message in SOUND for key in message} | Choices.model_fields.keys())

@@ -436,7 +436,7 @@ WEB = (
         "a program that sends no Origin header may play and use the processor",
     ),
     Bug(
-        "optimal game of another team",
+        "reference game of another team",
         "web/human_game.py",
         "            update_time=UPDATE_TIME,\n            seed=self._choices.seed,\n",
         "            update_time=UPDATE_TIME,\n",

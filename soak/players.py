@@ -26,6 +26,7 @@ class Player(NamedTuple):
     strategy: Any
     compiled: bool = False  # can play in a compiled game
     ends: bool = False  # a pursuer that captures all in bounded time
+    assures: bool = False  # a pursuer that assures a time by which everybody is captured
     placed: bool = False  # a pursuer that has a position even where it is hidden
     keeps_plan: bool = False  # a team that flies its first plan to the end
     replans: bool = False  # a team whose later plans never promise less
@@ -133,6 +134,10 @@ def _fixed_sequence(generator, setting):
 
 def _best_sequence(generator, setting):
     return Player("best sequence", covey.BestSequence(), compiled=True, ends=True)
+
+
+def _assured(generator, setting):
+    return Player("assured", covey.AssuredPursuer(), ends=True, assures=True)
 
 
 def _random_sequence(generator, setting):
@@ -247,6 +252,7 @@ COMPILED_PURSUERS = {
     _best_sequence: 1,
 }
 INTERPRETED_PURSUERS = {
+    _assured: 3,
     _flying: 4,
     _nearest_first: 3,
     _delayed: 3,

@@ -1053,6 +1053,40 @@ struct covey_play_to_capture_results {
 };
 int64_t covey_play_to_capture(const struct covey_play_to_capture_words *words, struct covey_play_to_capture_results *results);
 
+/* Raise the lower bound of each sequence by better headings, until it reaches the cutoff.
+
+   Parameters
+   ----------
+   evaders
+       (n, EVADER) rows of `Team.as_rows`; headings and turn rates are not used.
+   pursuit
+       A pursuer at a point. It flies to each evader's exact position; `first_radius`, its reach,
+       counts for the last capture only.
+   cutoff
+       Time at which a bound is high enough.
+   sequences
+       (m, n) orders of capture.
+   headings
+       (m, n) radians, by evader; modified in place.
+   bounds
+       (m,) last captures at the best headings that were met; modified in place.
+   flights
+       (n, FLIGHT) scratch. */
+struct covey_raise_lower_bounds_words {
+    double *evaders; int64_t evaders_0, evaders_1;
+    double pursuit_center_x;
+    double pursuit_center_y;
+    double pursuit_first_radius;
+    double pursuit_later_radius;
+    double pursuit_speed;
+    double cutoff;
+    int64_t *sequences; int64_t sequences_0, sequences_1;
+    double *headings; int64_t headings_0, headings_1;
+    double *bounds; int64_t bounds_0;
+    double *flights; int64_t flights_0, flights_1;
+};
+int64_t covey_raise_lower_bounds(const struct covey_raise_lower_bounds_words *words, void *results);
+
 /* Improve an iterate, from its own turns and from other initial guesses.
 
    Parameters

@@ -24,6 +24,7 @@ from .planning import expected_survival as expected_survival
 from .planning import guaranteed_survival as guaranteed_survival
 from .planning import plan as plan
 from .planning import plan_contingent as plan_contingent
+from .players import AssuredPursuer as AssuredPursuer
 from .players import BestSequence as BestSequence
 from .players import CommittedPursuer as CommittedPursuer
 from .players import ConstantHeading as ConstantHeading

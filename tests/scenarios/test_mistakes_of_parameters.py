@@ -7,8 +7,8 @@ import pytest
 from scenarios.scenario_files import ONE_EVADER, mistakes
 
 NAMES = (
-    '"committed", "flying", "patient", "fixed-sequence", "best-sequence", "random-sequence", '
-    '"nearest-first"'
+    '"committed", "flying", "patient", "fixed-sequence", "best-sequence", "assured", '
+    '"random-sequence", "nearest-first"'
 )
 
 

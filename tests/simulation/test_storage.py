@@ -283,3 +283,12 @@ def test_no_flipped_bit_ever_changes_a_game_unnoticed(game, saved):
         saved.write_bytes(damaged)
         with suppress(covey.InputError):
             assert identical(covey.load_game(saved), game)  # a bit that says nothing
+
+
+def test_a_record_of_an_earlier_version_assures_nothing(game, saved):
+    table = pq.read_table(saved).drop_columns(["assurance"])
+    notes = {b"covey": table.schema.metadata[b"covey"]}
+    notes[b"covey_crc32"] = _checksum(notes[b"covey"], table)
+    pq.write_table(table.replace_schema_metadata(notes), saved)
+    assert identical(covey.load_game(saved), game)
+    assert covey.load_game(saved).assurance == math.inf

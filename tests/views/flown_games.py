@@ -63,6 +63,7 @@ def game_by_hand():
         evader_headings=np.array([[0.0, 0.0], [0.0, 0.8 * RATE], [0.0, RATE]]),
         evader_turns=np.array([[0.0, RATE], [0.0, 0.2 * RATE], [0.0, 0.0]]),
         guarantees=SECOND_CAPTURE - np.array([0.0, FIRST_CAPTURE, SECOND_CAPTURE]),
+        assurances=np.full(3, np.inf),
         critical_sequences=np.array([[0, 1], [1, -1], [-1, -1]]),
         pursuer_sequences=np.array([[0, 1], [1, -1], [-1, -1]]),
         pursuer_positions=np.array([[0.0, 0.0], *positions]),

@@ -14,7 +14,7 @@ NEW = json.dumps({"type": "new", "choices": {"evaders": 1, "capture_radius": 0.0
 NEW_OF_FIVE = json.dumps({"type": "new", "choices": {"capture_radius": 0.01}}).encode()
 LARGEST = {"evaders": 10, "capture_radius": 0.01, "speed": 0.5, "pursuer_speed": 1.2}
 NEW_LARGEST = json.dumps({"type": "new", "choices": LARGEST}).encode()
-FILM = b'{"type": "film", "game": "optimal"}'
+FILM = b'{"type": "film", "game": "reference"}'
 RUN = b'{"type": "run"}'
 
 address = "127.0.0.1"

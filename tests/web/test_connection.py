@@ -121,7 +121,7 @@ def test_a_file_is_answered_before_more_is_read():
         ("nonsense", True),
         ('{"type": "new", "choices": {}}', False),
         ('{"type": "steer", "type": "new", "choices": {}}', False),  # the last one counts
-        ('{"type": "film", "game": "optimal"}', False),
+        ('{"type": "film", "game": "reference"}', False),
         ('{"type": "save", "game": "yours"}', False),
         (b"PAR1", False),
     ],
@@ -207,5 +207,10 @@ def test_games_and_films_wait_elsewhere_than_frames(monkeypatch):
         playing.cancel()
 
     asyncio.run(play())
-    assert computed[:4] == [(True, ["game"]), (False, ["frame"]), (False, []), (True, ["optimal"])]
+    assert computed[:4] == [
+        (True, ["game"]),
+        (False, ["frame"]),
+        (False, []),
+        (True, ["reference"]),
+    ]
     assert computed[5] == (False, ["frame"])

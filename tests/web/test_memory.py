@@ -17,9 +17,9 @@ def play(server, games):
     for seed in range(games):
         with server.page() as page:
             say(page, type="new", choices={"evaders": 2, "seed": seed, "capture_radius": 0.1})
-            hear(page, "optimal")
+            hear(page, "reference")
             say(page, type="step")
-            say(page, type="film", game="optimal")
+            say(page, type="film", game="reference")
             hear(page, "film")
     wait_for(lambda: server.pages() == 0 and not server.connections())
     gc.collect()

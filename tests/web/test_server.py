@@ -104,8 +104,8 @@ def test_a_game_over_the_network(server):
     with server.page() as page:
         say(page, type="new", choices={"evaders": 2, "seed": 3})
         game = hear(page, "game")
-        optimal = hear(page, "optimal")
-        assert optimal["survival_time"] >= game["cast"]["guarantee"] - 1e-9
+        reference = hear(page, "reference")
+        assert reference["survival_time"] >= game["cast"]["guarantee"] - 1e-9
         say(page, type="run", pace=2.0)
         say(page, type="steer", heading=1.0)
         frames = (hear(page, "frame") for _ in range(200))  # some come before the turn
@@ -123,7 +123,7 @@ def test_a_game_over_the_network(server):
 def test_a_flood_is_dropped_and_the_game_goes_on(server):
     with server.page(close_timeout=1.0) as page:
         say(page, type="new", choices={"evaders": 1, "seed": 3})
-        hear(page, "optimal")
+        hear(page, "reference")
         say(page, type="run", pace=1.0)
         text = json.dumps({"type": "steer", "heading": 1.0})
         for _ in range(3000):
@@ -154,7 +154,7 @@ def test_closing_a_page_ends_its_game(server, monkeypatch):
     wait_for(lambda: server.pages() == 0)
     with server.page() as page:
         say(page, type="new", choices={"evaders": 2, "sensing": "hidden"})
-        hear(page, "optimal")
+        hear(page, "reference")
         say(page, type="run", pace=0.25)
         hear(page, "frame")
         assert server.pages() == 1
@@ -168,7 +168,7 @@ def test_closing_a_page_ends_its_game(server, monkeypatch):
 def test_a_page_that_vanishes_ends_its_game_too(server):
     with server.page() as page:
         say(page, type="new", choices={"evaders": 2})
-        hear(page, "optimal")
+        hear(page, "reference")
         say(page, type="run")
         hear(page, "frame")
         page.socket.shutdown(socket.SHUT_RDWR)
@@ -192,7 +192,7 @@ def fly(server, seconds, seen):
     """Fly in circles; note for each frame when it came, the game's time and the rate."""
     with server.page() as page:
         say(page, type="new", choices={"evaders": 5, "capture_radius": 0.01, "seed": 1})
-        hear(page, "optimal", timeout=60.0)
+        hear(page, "reference", timeout=60.0)
         say(page, type="run", pace=1.0)
         frames, began = [], time.monotonic()
         while time.monotonic() < began + seconds:

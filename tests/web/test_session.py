@@ -27,10 +27,10 @@ class Page:
 
     def __init__(self, **choices):
         self.session, self.now = Session(), 0.0
-        self.game = self.optimal = None
+        self.game = self.reference = None
         if choices:
             (self.game,) = self.ask(type="new", choices=choices)
-            (self.optimal,) = self.wait(0.0)
+            (self.reference,) = self.wait(0.0)
 
     def ask(self, **message):
         return self.send(json.dumps(message))
@@ -64,14 +64,14 @@ class Page:
         return reply["text"]
 
 
-def test_a_game_is_set_up_with_its_plan_and_the_optimal_game_follows():
+def test_a_game_is_set_up_with_its_plan_and_the_reference_game_follows():
     page = Page(evaders=4, seed=6)
     assert page.game["type"] == "game"
     assert page.game["picture"]["time"] == 0.0
     assert sorted(page.game["picture"]["sequence"]) == [0, 1, 2, 3]
     # The first plan: its last expected capture is what is guaranteed.
     assert page.game["picture"]["expected"][-1] == pytest.approx(page.game["cast"]["guarantee"])
-    assert page.optimal["survival_time"] >= page.game["cast"]["guarantee"] - 1e-9
+    assert page.reference["survival_time"] >= page.game["cast"]["guarantee"] - 1e-9
     assert page.wait(1.0) == []  # nothing runs before it is asked to
 
 
@@ -119,7 +119,7 @@ def test_a_new_game_stands_still_although_the_last_one_ran():
     page.ask(type="run", pace=1.0)
     page.wait(1 / 60)
     page.ask(type="new", choices={"evaders": 2, "seed": 2})
-    assert [reply["type"] for reply in page.wait(1.0)] == ["optimal"]
+    assert [reply["type"] for reply in page.wait(1.0)] == ["reference"]
     assert page.wait(1.0) == []
 
 
@@ -128,7 +128,7 @@ def test_played_to_the_end_it_is_scored_saved_and_shown():
     assert "isn't over" in page.error('{"type": "save", "game": "yours"}')
     score = page.play()
     assert score["type"] == "over"
-    assert score["share"] == pytest.approx(page.optimal["survival_time"] / score["time"])
+    assert score["share"] == pytest.approx(page.reference["survival_time"] / score["time"])
     (content,) = page.ask(type="save", game="yours")
     record = read_game(content, "saved")
     assert record.survival_time == score["time"]
@@ -140,13 +140,13 @@ def test_played_to_the_end_it_is_scored_saved_and_shown():
     assert page.wait(1.0) == []  # over is over
 
 
-def test_the_optimal_game_is_there_from_the_start():
+def test_the_reference_game_is_there_from_the_start():
     page = Page(evaders=3, seed=8)
-    (content,) = page.ask(type="save", game="optimal")
+    (content,) = page.ask(type="save", game="reference")
     record = read_game(content, "saved")
     assert record.strategies["pursuer"]["name"] == "committed"
-    assert record.survival_time == page.optimal["survival_time"]
-    (film,) = page.ask(type="film", game="optimal")
+    assert record.survival_time == page.reference["survival_time"]
+    (film,) = page.ask(type="film", game="reference")
     assert film["pictures"][-1]["time"] == record.survival_time
 
 
@@ -288,7 +288,7 @@ def test_a_page_without_a_game_is_told_so():
         {"type": "pause"},
         {"type": "step"},
         {"type": "film", "game": "yours"},
-        {"type": "save", "game": "optimal"},
+        {"type": "save", "game": "reference"},
     ):
         page = Page()
         assert "no game yet" in page.error(json.dumps(message))
@@ -319,7 +319,7 @@ MESSAGES = st.one_of(
     st.fixed_dictionaries({"type": st.just("run")}, optional={"pace": VALUES}),
     st.fixed_dictionaries({"type": st.sampled_from(["pause", "step"])}),
     st.fixed_dictionaries(
-        {"type": st.sampled_from(["film", "save"]), "game": st.sampled_from(["yours", "optimal"])}
+        {"type": st.sampled_from(["film", "save"]), "game": st.sampled_from(["yours", "reference"])}
     ),
     st.just({"type": "new", "choices": {"evaders": 1, "capture_radius": 0.1}}),
 )
@@ -334,7 +334,7 @@ def test_any_messages_in_any_order_are_answered(sent):
         for reply in page.send(content) + page.wait(1 / 60):
             if isinstance(reply, dict):
                 json.dumps(reply, allow_nan=False)
-                assert reply["type"] in {"game", "optimal", "frame", "over", "film", "error"}
+                assert reply["type"] in {"game", "reference", "frame", "over", "film", "error"}
     (game,) = page.ask(type="new", choices={"evaders": 1, "seed": 1})
     assert game["type"] == "game"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import json
 import os
 import signal
 import subprocess
@@ -98,7 +99,7 @@ def test_it_ends_with_a_server_that_was_killed(tmp_path):
     wait_for(lambda: not alive(process))
 
 
-def test_films_files_uploads_and_the_optimal_game_are_made_there(monkeypatch):
+def test_films_files_uploads_and_the_reference_game_are_made_there(monkeypatch):
     called = []
 
     def call(function, *arguments, **options):
@@ -107,11 +108,12 @@ def test_films_files_uploads_and_the_optimal_game_are_made_there(monkeypatch):
 
     monkeypatch.setattr(module.worker, "call", call)
     session = Session()
-    messages = ['{"type": "new", "choices": {"evaders": 1}}']
-    messages += ['{"type": "film", "game": "optimal"}', '{"type": "save", "game": "optimal"}', b""]
+    wanted = [{"type": kind, "game": "reference"} for kind in ("film", "save")]
+    texts = map(json.dumps, [{"type": "new", "choices": {"evaders": 1}}, *wanted])
+    messages = [*texts, b""]
     for message in messages:
         list(session.receive(message, 0.0))
-    assert called == ["simulate", "film", "_file", "read_upload"]
+    assert called == ["simulate", "simulate", "film", "_file", "read_upload"]
 
 
 def test_the_server_has_one_until_it_ends(monkeypatch):
@@ -135,10 +137,10 @@ def test_a_page_notices_nothing_of_it(worker, monkeypatch):
     monkeypatch.setattr(module.worker, "_pool", worker._pool)
     with serving() as served, served.page() as page:
         say(page, type="new", choices={"evaders": 2, "seed": 3})
-        time = hear(page, "optimal")["survival_time"]
-        say(page, type="film", game="optimal")
+        time = hear(page, "reference")["survival_time"]
+        say(page, type="film", game="reference")
         assert hear(page, "film")["survival_time"] == time
-        say(page, type="save", game="optimal")
+        say(page, type="save", game="reference")
         content = hear(page, "file")
         assert read_game(content, "saved").survival_time == time
         page.send(content)

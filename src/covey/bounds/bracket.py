@@ -10,6 +10,7 @@ from covey.bounds.fixed_sequence import SequencePlan, plan_for_sequence
 from covey.bounds.polygon_bound import last_capture_bound
 from covey.model import PursuerDisk, Team
 from covey.model.angles import unit_vectors
+from covey.model.validation import Floats, read_only
 from covey.planning.guarantee import about_center
 from covey.planning.open_loop import Plan, plan
 
@@ -32,12 +33,15 @@ class Bracket:
         The open-loop plan that guarantees `lower`.
     sequence : tuple of int
         The capture sequence whose value is `upper`.
+    start : numpy.ndarray
+        (2,) the point of the disk from which that pursuer starts.
     """
 
     lower: float
     upper: float
     plan: Plan
     sequence: tuple[int, ...]
+    start: Floats
 
 
 def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None = None) -> Bracket:
@@ -85,6 +89,7 @@ def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None 
        salesman game problem", Cybernetics and Systems Analysis 46 (2010).
     """
     found = plan(team, disk, seed=seed, starts=starts)
+    center = disk.center
     team, disk = about_center(team, disk)
     agile = Team(team.positions, team.headings, team.speeds, math.inf)
     point = PursuerDisk(disk.center, disk.radius, disk.speed)
@@ -95,6 +100,7 @@ def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None 
         upper=last_capture_bound(agile, start, announced),
         plan=found,
         sequence=announced.sequence,
+        start=read_only(center + start.center),
     )
 
 

@@ -4,6 +4,7 @@ Teams and pursuers stand in rooms of their own; neither knows how a game is play
 `pursuers`, then `compiled` (games played by the kernels), `simulate` and `worst_case`.
 """
 
+from covey.players.pursuers.assured import AssuredPursuer
 from covey.players.pursuers.committed import CommittedPursuer, FlyingPursuer, UncommittedPursuer
 from covey.players.pursuers.delayed import DelayedSequence
 from covey.players.pursuers.downhill import DownhillPursuer
@@ -21,6 +22,7 @@ from covey.players.worst_case import WorstCase, WorstCaseScope, worst_case
 from covey.simulation import Outcome
 
 __all__ = [
+    "AssuredPursuer",
     "BestSequence",
     "CommittedPursuer",
     "ConstantHeading",

@@ -19,6 +19,7 @@ from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, cor
 from covey.model import ExpectedSurvival, LastCapture, TotalSurvival
 from covey.model.objectives import MEASURES
 from covey.players import (
+    AssuredPursuer,
     BestSequence,
     CommittedPursuer,
     ConstantHeading,
@@ -96,6 +97,7 @@ PURSUERS = {
     "patient": Entry(UncommittedPursuer, {}),
     "fixed-sequence": Entry(FixedSequence, _SEQUENCE),
     "best-sequence": Entry(BestSequence, {}),
+    "assured": Entry(AssuredPursuer, {}),
     "random-sequence": Entry(RandomSequence, _DRAWS),
     "nearest-first": Entry(NearestFirst, {}),
 }

@@ -6,6 +6,7 @@ function that is called at every decision. A plain function that needs no memory
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Protocol, TypeVar
@@ -39,6 +40,10 @@ class Situation:
         What the game is about, in the numbers of the whole team.
     place : numpy.ndarray or None
         (2,) position of the pursuer. None for the team, and for a pursuer that is a disk only.
+    until_update : float
+        Time until the next update. A capture brings a decision before it.
+    chooses_start : bool
+        Whether the pursuer has still to choose where in the disk it starts; see `Fly.offset`.
     """
 
     time: float
@@ -48,6 +53,8 @@ class Situation:
     turns: Floats
     objective: Objective = LastCapture()  # noqa: RUF009 frozen
     place: Floats | None = None
+    until_update: float = math.inf
+    chooses_start: bool = False
 
     @property
     def pursuer(self) -> PursuerDisk:
@@ -70,9 +77,13 @@ class Chase:
     ----------
     sequence : tuple of int
         Numbers of living evaders. The first is flown to; the others are for the record.
+    assurance : float
+        For the record: time since the start of the game by which this pursuer has captured
+        everybody, whatever the evaders do. Default: it assures nothing.
     """
 
     sequence: tuple[int, ...]
+    assurance: float = math.inf
 
 
 @dataclass(frozen=True)
@@ -83,9 +94,19 @@ class Fly:
     ----------
     velocity : tuple of float
         (2,), not faster than the pursuer's speed. Default: it waits.
+    sequence : tuple of int
+        For the record: the order in which it means to capture the living. Default: it doesn't say.
+    assurance : float
+        For the record, as in `Chase`.
+    offset : tuple of float
+        (2,) from the disk's centre to where the pursuer starts, if it still has to choose that: a
+        visible pursuer, at time 0 of a game that begins with a disk. Default: at the centre.
     """
 
     velocity: tuple[float, float] = (0.0, 0.0)
+    sequence: tuple[int, ...] = ()
+    assurance: float = math.inf
+    offset: tuple[float, float] = (0.0, 0.0)
 
 
 TeamPolicy = Callable[[Situation], npt.ArrayLike]

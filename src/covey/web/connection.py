@@ -95,7 +95,7 @@ async def _play(websocket: WebSocket, inbox: Inbox) -> None:
             await _answer(websocket, replies, slow=not is_quick(message))
             inbox.task_done()
         replies = session.advance(time.monotonic())
-        await _answer(websocket, replies, slow=session.optimal_pending)
+        await _answer(websocket, replies, slow=session.reference_pending)
         if session.busy:
             await asyncio.sleep(max(0.0, began + _FRAME - time.monotonic()))
 

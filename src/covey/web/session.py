@@ -31,19 +31,19 @@ class Session:
 
     Attributes
     ----------
-    optimal_pending : bool
-        Whether `advance` will play the optimal pursuer's game, which takes long.
+    reference_pending : bool
+        Whether `advance` will play the reference game, which takes long.
     """
 
     def __init__(self) -> None:
         self._pacer = Pacer(UPDATE_TIME)
         self._game: HumanGame | None = None
-        self.optimal_pending = False
+        self.reference_pending = False
 
     @property
     def busy(self) -> bool:
         """Whether `advance` has something to do."""
-        return self._pacer.running or self.optimal_pending
+        return self._pacer.running or self.reference_pending
 
     def receive(self, message: str | bytes, now: float) -> Iterator[Reply]:
         """Do what a page asks for, and answer. A mistake is answered too, and changes nothing."""
@@ -56,11 +56,12 @@ class Session:
             yield error_reply(str(error))
 
     def advance(self, now: float) -> Iterator[Reply]:
-        """Do what is due: the optimal game first, then updates and, at the end, the score."""
-        if self.optimal_pending:
-            self.optimal_pending = False
-            optimal = self._current_game().optimal
-            yield {"type": "optimal", "survival_time": optimal.survival_time}
+        """Do what is due: the reference game first, then updates and, at the end, the score."""
+        if self.reference_pending:
+            self.reference_pending = False
+            game = self._current_game()
+            times = {"survival_time": game.reference.survival_time, "assurance": game.assurance}
+            yield {"type": "reference", **times}
         updates = self._pacer.due(now)
         if updates:
             yield from self._play(updates, now)
@@ -90,7 +91,7 @@ class Session:
     def _set_up(self, message: New) -> Reply:
         game = HumanGame(message.choices)
         self._pacer.pause()
-        self._game, self.optimal_pending = game, True
+        self._game, self.reference_pending = game, True
         start = game.record()
         return {
             "type": "game",
@@ -114,8 +115,8 @@ class Session:
 
     def _whole_game(self, which: str) -> Game:
         game = self._current_game()
-        if which == "optimal":
-            return game.optimal
+        if which == "reference":
+            return game.reference
         if not game.over:
             raise InputError("your game isn't over yet; play it to its end first")
         return game.record()

@@ -22,6 +22,16 @@ def test_the_histogram_counts_every_start_and_has_a_bin_at_one():
     assert high > 1.07
 
 
+def test_the_line_of_the_assured_pursuer_has_the_height_of_its_shares():
+    figure = draw_ratios({3: [1.0, 1.0, 0.95, 0.95]}, beside={3: [1.0, 0.85]})
+    (line,) = [each for each in figure.axes[0].patches if each.get_gid() == "assured"]
+    values, edges, _ = line.get_data()
+    assert values.sum() == pytest.approx(4.0)
+    middles = 0.5 * (edges[1:] + edges[:-1])
+    assert middles[values > 0.0] == pytest.approx([0.85, 1.0])
+    assert figure.axes[0].get_xlim()[0] < 0.85
+
+
 def test_a_histogram_of_nothing_is_refused():
     with pytest.raises(InputError, match="at least one ratio"):
         draw_ratios({3: []})
