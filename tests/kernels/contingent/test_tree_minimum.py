@@ -30,6 +30,15 @@ def test_a_bound_that_nothing_beats_is_returned(seed):
     assert trees.value(team, disk, tree, depth, 1.001 * least)[0] == pytest.approx(least)
 
 
+@GAMES
+def test_no_bound_is_beaten_by_rounding(seed):
+    team, disk, tree, depth, _ = some_tree(seed)
+    least, _ = trees.value(team, disk, tree, depth)
+    unsolved = (0,) * len(team)
+    for bound in (least * np.random.default_rng(seed).uniform(0.5, 0.999, 300)).tolist():
+        assert trees.value(team, disk, tree, depth, bound) == (bound, unsolved)
+
+
 @pytest.mark.parametrize("seed", range(40))
 def test_no_delay_undercuts_what_survives_delays(seed):
     team, disk, tree, depth, _ = some_tree(seed)

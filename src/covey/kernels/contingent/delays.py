@@ -1,11 +1,11 @@
 """What a contingent plan guarantees if the pursuer may put captures off: a certified search.
 
 A capture that is put off meets the team elsewhere, so the earliest capture need not be the worst.
-The search covers all times of each answered capture by intervals. In an interval of length d, the
-play at its first moment stands for all: with the same times between later captures, no evader is
-farther from its place in the true play than a drift e(d). So the true play is one that a pursuer
-with radii larger by 2 e(d) can have there, and the value for such a pursuer, less d at most, bounds
-all. Intervals shrink until every bound is above the target.
+The search covers all times of each answered capture by intervals. The capture in the middle of an
+interval stands for all: with the same times between later captures, no evader is farther from its
+place in the true play than a drift e. So the true play is one that a pursuer with radii larger by
+2 e can have after the middle, and it begins no earlier than the interval. Intervals shrink until
+every such bound is above the target.
 """
 
 from __future__ import annotations
@@ -156,9 +156,10 @@ def _next_interval(problem: Problem, tree: Tree, level: int, search: DelaySearch
         interval[_BEGIN] = earliest_at(problem.pursuit, n, level, rank, levels)
         interval[_LENGTH] = left - interval[_BEGIN]
     levels.counters[level, CHILD] = rank
-    time = interval[_BEGIN]
-    interval[_ADDED] = _drift(n, level, time, interval[_LENGTH], left, levels)
-    capture_at(problem.pursuit, tree, n, level, rank, time, levels)
+    begin, half = interval[_BEGIN], 0.5 * interval[_LENGTH]
+    interval[_ADDED] = _drift(n, level, begin, half, left, levels)
+    capture_at(problem.pursuit, tree, n, level, rank, begin + half, levels)
+    levels.disks[level + 1, TIME] = levels.disks[level, TIME] + begin
     levels.disks[level + 1, RADIUS] += 2.0 * _drift_below(level, search)
     return True
 
@@ -184,13 +185,16 @@ def _halve(level: int, search: DelaySearch) -> bool:
 
 
 @inlined
-def _drift(n: int, level: int, time: float, length: float, left: float, levels: Levels) -> float:
-    """Return how far a capture later by at most `length` displaces any evader until the target."""
+def _drift(n: int, level: int, begin: float, half: float, left: float, levels: Levels) -> float:
+    """Return how far evaders are displaced until the target if a capture moves by at most `half`.
+
+    The capture is at `begin` or later, and the target is `left` after the last capture.
+    """
     drift = 0.0
     for i in range(level * n, level * n + n - level):
-        velocity_x, velocity_y = velocity(levels.paths, i, time)
+        velocity_x, velocity_y = velocity(levels.paths, i, begin)
         speed = math.hypot(velocity_x, velocity_y)
-        turning = min(length, max(levels.paths[i, TURN_END] - time, 0.0))
+        turning = min(half, max(levels.paths[i, TURN_END] - begin, 0.0))
         turned = min(2.0 * abs(levels.paths[i, HALF_RATE]) * turning, 2.0)
-        drift = max(drift, speed * (length + turned * max(left - time, 0.0)))
+        drift = max(drift, speed * (half + turned * max(left - begin, 0.0)))
     return drift

@@ -24,7 +24,7 @@ RESOLUTION = 1e-3
 """Relative, of the least over all delays; larger where the search would take too long."""
 
 _FINEST = 0.03  # drift of the shortest intervals at first, over the resolution, as a length
-_FINER = 0.25
+_FINER, _COARSER = 0.25, 4.0
 _FINEST_SHARE = 1e-4
 _MOST_NODES = 1_000_000
 
@@ -65,7 +65,7 @@ def with_delays(moment: Moment, tree: Tree, survival_time: float) -> DelayedGuar
         if end < earliest * (1.0 - 1e-9):
             earliest = end
         elif search.counters[VISITED] > search.counters[MOST] or finer < _FINEST_SHARE:
-            resolution, finer = 2.0 * resolution, 1.0
+            resolution, finer = _COARSER * resolution, 1.0
         else:
             finer *= _FINER
     return DelayedGuarantee(0.0, earliest)
