@@ -45,9 +45,11 @@ def fly_on(moment: Moment, turns: Floats, time: float) -> tuple[Moment, Floats]:
     positions = np.empty((1, len(turns), 2))
     sample(moment.paths(turns), np.array([time]), positions)
     rates = moment.evaders[:, TURN_RATE]
-    at_once = np.isinf(rates)
-    most = np.where(at_once, math.pi, np.where(at_once, 0.0, rates) * time)
-    turned = np.clip(turns, -most, most)
+    if time > 0.0:
+        most = np.minimum(rates * time, math.pi)
+    else:
+        most = np.where(np.isinf(rates), math.pi, 0.0)
+    turned = np.maximum(np.minimum(turns, most), -most)
     evaders = moment.evaders.copy()
     evaders[:, [X, Y]] = positions[0]
     evaders[:, HEADING] += turned

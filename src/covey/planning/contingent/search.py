@@ -7,6 +7,7 @@ tree; so is one after whose captures those left fly the best trees of the smalle
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -126,9 +127,12 @@ def search(moment: Moment, depth: int, effort: Effort) -> Ascent:
     return found._replace(starts=found.starts + plan.starts, steps=found.steps + plan.steps)
 
 
+_uniforms = lru_cache(maxsize=32)(guess_uniforms)  # hundreds of searches use the same ones
+
+
 def open_loop_plans(moment: Moment, effort: Effort) -> tuple[Ascents, list[Floats]]:
     """Return the best open-loop plan, and the turns of the best few, the best first."""
-    uniforms = guess_uniforms(effort.seed, effort.starts, len(moment.evaders))
+    uniforms = _uniforms(effort.seed, effort.starts, len(moment.evaders))
     ascents = Search(problem_of(moment), TOLERANCE, uniforms, math.inf)
     return ascents.run(NONE, effort.starts), ascents.elite[: effort.roots]
 
