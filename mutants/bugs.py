@@ -231,8 +231,8 @@ SIMULATION = (
     Bug(
         "intention a row late",
         "simulation/match.py",
-        "self._log.intended[self._log.counters[ROWS] - 1, : len(rows)]",
-        "self._log.intended[self._log.counters[ROWS], : len(rows)]",
+        "self._log.intended[self._log.counters[ROWS] - 1, : len(decision.rows)]",
+        "self._log.intended[self._log.counters[ROWS], : len(decision.rows)]",
         "the record shows a sequence before the pursuer had it in mind",
     ),
 )

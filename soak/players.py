@@ -18,6 +18,9 @@ from soak import custom_pursuers
 FASTEST = 0.95
 """Speed of most evaders, relative to the pursuer's, at most; a few are nearly as fast as that."""
 
+LARGEST_TREE = 5
+"""Evaders up to which a team answers captures: a tree of more takes seconds."""
+
 
 class Player(NamedTuple):
     """A strategy, and what is known of it."""
@@ -96,6 +99,12 @@ def _straight_away(generator, setting):
 
 def _constant_heading(generator, setting):
     return Player("constant heading", covey.ConstantHeading(starts=1, restarts=1))
+
+
+def _contingent(generator, setting):
+    most = 2 if len(setting.team) <= LARGEST_TREE else 0
+    strategy = covey.Contingent(int(generator.integers(0, most + 1)), _interval(generator, setting))
+    return Player("contingent", strategy)
 
 
 def _known_sequence(generator, setting):
@@ -240,6 +249,7 @@ INTERPRETED_TEAMS = {
     _hold_course: 3,
     _straight_away: 3,
     _constant_heading: 3,
+    _contingent: 3,
     _known_sequence: 1,
     _largest_distance: 2,
     _smallest_danger: 1,

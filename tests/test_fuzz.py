@@ -31,7 +31,7 @@ SOUND = [
     *[(studies, file.read_bytes(), "set up") for file in studies.FILES[:4]],
     *[(records, content, "drawn") for content in records.RECORDS],
     (results, results.archive(results.FOLDER), "summed up, complete"),
-    (page, json.dumps(GAME).encode(), "game\noptimal\nframe"),
+    (page, json.dumps(GAME).encode(), "game\nreference\nframe"),
     (calls, json.dumps(LEGAL).encode(), "plan"),
 ]
 

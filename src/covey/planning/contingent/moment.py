@@ -17,7 +17,7 @@ from covey.kernels.capture.path import (
     sample,
     set_paths,
 )
-from covey.kernels.capture.pursuit import Pursuit, initial_disk
+from covey.kernels.capture.pursuit import GrowingDisk, Pursuit
 from covey.model.validation import Floats
 
 
@@ -36,7 +36,8 @@ class Moment(NamedTuple):
     def earliest(self, turns: Floats) -> Floats:
         """Return when each evader is captured at the earliest, if it is the first, (n,)."""
         times = np.empty(len(turns))
-        earliest_captures(self.paths(turns), initial_disk(self.pursuit), times)
+        x, y, radius, _, speed = self.pursuit
+        earliest_captures(self.paths(turns), GrowingDisk(x, y, radius, 0.0, speed), times)
         return times
 
 
