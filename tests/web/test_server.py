@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import http.client
 import json
+import os
 import re
 import socket
 import threading
@@ -18,6 +19,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 import covey.web
 from covey.model import InputError
 from covey.web import app
+from covey.web import worker as module
 from covey.web.fair_threads import FairThreads
 from covey.web.human_game import UPDATE_TIME
 from covey.web.origin import is_own_host, is_own_origin
@@ -223,7 +225,16 @@ def test_an_address_cannot_be_made_up(server, monkeypatch):
     assert users == {"127.0.0.1"}
 
 
-def test_fifty_pages_slow_down_and_say_so(server):
+@pytest.fixture
+def worker():
+    """The process in which a server plays reference games."""
+    module.worker.start()
+    yield module.worker
+    module.worker.stop()
+
+
+def test_fifty_pages_slow_down_and_say_so(server, worker):
+    assert worker.call(os.getpid) != os.getpid()  # it has begun
     seen = []
     pages = [threading.Thread(target=fly, args=(server, 4.0, seen)) for _ in range(50)]
     for page in pages:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+import math
 import time
 from collections.abc import Iterator
 
@@ -101,19 +102,24 @@ async def _play(websocket: WebSocket, inbox: Inbox) -> None:
 
 
 async def _answer(websocket: WebSocket, replies: Iterator[Reply], *, slow: bool) -> None:
-    """Compute replies in a thread, whenever it is the turn of the page's address, and send them."""
+    """Compute replies in a thread, whenever it is the turn of the page's address, and send them.
+
+    Slow replies are computed in one turn: they can't be broken off, and the end of a page's last
+    would wait behind the slow replies of all others.
+    """
     threads, user = _slow_threads if slow else _quick_threads, address_of(websocket.scope)
+    seconds = math.inf if slow else _TURN
     answered = False
     while not answered:
-        turn = asyncio.wrap_future(threads.submit(user, lambda: _take_turn(replies)))
+        turn = asyncio.wrap_future(threads.submit(user, lambda: _take_turn(replies, seconds)))
         contents, answered = await turn
         for content in contents:
             await _send(websocket, content)
 
 
-def _take_turn(replies: Iterator[Reply]) -> Turn:
-    """Compute replies for `_TURN` seconds, and what is under way then."""
-    ends = time.monotonic() + _TURN
+def _take_turn(replies: Iterator[Reply], seconds: float) -> Turn:
+    """Compute replies for some seconds, and what is under way then."""
+    ends = time.monotonic() + seconds
     contents = []
     for reply in replies:
         if reply is not None:
