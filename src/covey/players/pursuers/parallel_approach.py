@@ -103,7 +103,8 @@ def _contacts(
     """Return the first times (N,) within reach of each evader; inf if not by `latest`."""
     x, y = pursuer.center.tolist()
     flight = Flight(x, y, *velocity, pursuer.capture_radius)
-    return np.array([first_contact(paths, i, flight, latest) for i in range(len(paths))])
+    with np.errstate(divide="ignore", invalid="ignore"):  # as compiled: no contact is at infinity
+        return np.array([first_contact(paths, i, flight, latest) for i in range(len(paths))])
 
 
 def _velocity(
