@@ -13,7 +13,7 @@ import time
 import numpy as np
 
 import covey
-from covey.kernels.contingent.ascent import new_branches
+from covey.kernels.contingent.scratch import new_branches
 from covey.planning.contingent.search import ascend
 
 TURN_RATES = {"π/2": math.pi / 2, "2π": 2.0 * math.pi, "∞": math.inf}

@@ -8,7 +8,7 @@ from __future__ import annotations
 import threading
 
 from covey.kernels.arrays import Workspace, new_workspace
-from covey.kernels.contingent.ascent import TreeScratch, new_tree_scratch
+from covey.kernels.contingent.scratch import TreeScratch, new_tree_scratch
 from covey.model.validation import Ints
 
 SMALL = 14

@@ -10,32 +10,18 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-
 from covey.kernels._jit import compiled, entry, inlined
 from covey.kernels.arrays import (
     GO_ON,
-    IntMatrix,
-    IntVector,
-    Matrix,
-    Vector,
     Workspace,
 )
-from covey.kernels.contingent.branch import Branch, fly_branch, new_branch
-from covey.kernels.contingent.derivatives import (
-    BranchDerivatives,
-    branch_gradient,
-    branch_hessian,
-    new_branch_derivatives,
-)
-from covey.kernels.contingent.minimum import Levels, new_levels, tree_minimum
-from covey.kernels.contingent.tree import Tree, tree_sizes
-from covey.kernels.library.layout import kept
-from covey.kernels.linalg.active_set import QuadraticScratch
-from covey.kernels.linalg.symmetric import cholesky, shifted_cholesky
-from covey.kernels.maximum.curvature import multipliers_changed, penalise
+from covey.kernels.contingent.branch import fly_branch
+from covey.kernels.contingent.local_model import fit
+from covey.kernels.contingent.minimum import tree_minimum
+from covey.kernels.contingent.scratch import TreeScratch
+from covey.kernels.contingent.tree import Tree
+from covey.kernels.maximum.curvature import multipliers_changed
 from covey.kernels.maximum.local_model import (
-    ModelScratch,
     best_step,
     corrected_step,
     power_of_two_scale,
@@ -48,34 +34,10 @@ from covey.kernels.maximum.problem import (
     Options,
     Problem,
 )
+from covey.kernels.maximum.step import MIN_GAIN_RATIO
 from covey.kernels.maximum.trial import MIN_RADIUS, updated_radius
 from covey.kernels.maximum.working_set import WorkingSet, add
 from covey.kernels.minimum.inner_minimum import InnerScratch, inner_scratch
-
-_FARTHEST = 1e5  # radians, see `maximum.curvature`
-_MIN_GAIN_RATIO = 0.8  # below, a step is corrected
-_NEGLIGIBLE = 1e-12  # of the multipliers
-
-
-@kept
-class TreeScratch(NamedTuple):
-    """Arrays of an ascent on a tree of n evaders, with up to m branches of p turns, r in all."""
-
-    branch: Branch
-    derivatives: BranchDerivatives
-    levels: Levels
-    sequence: IntVector  # (n,) the worst sequence
-    here: Vector  # (m,) last capture of each branch at the iterate
-    there: Vector  # (m,) the same at the trial
-    gradients: Matrix  # (m, p) of each branch
-    turns_of: IntMatrix  # (m, p) which turns a branch depends on
-    lengths: IntVector  # (m,) how many
-    places: IntVector  # (turns of the tree,) places among the variables, -1: none
-    variables: IntVector  # (r,) turns that some branch depends on
-    iterate: Vector  # (r,) their values
-    trial: Vector  # (turns of the tree,)
-    first_trial: Vector  # (turns of the tree,) before its correction
-    model: ModelScratch  # of r turns and m branches
 
 
 class Aim(NamedTuple):
@@ -85,72 +47,6 @@ class Aim(NamedTuple):
     predicted: float
     radius: float  # of the trust region, radians
     scale: float  # power of two that the times are multiplied by
-
-
-def new_branches(n: int) -> WorkingSet:
-    """Allocate an empty working set of branches."""
-    m = 4 * n + 8
-    return WorkingSet(np.zeros(1, np.int64), np.empty((m, n), np.int64), np.zeros(m), np.empty(m))
-
-
-def new_tree_scratch(n: int, depth: int) -> TreeScratch:
-    """Allocate the scratch of ascents on trees of n evaders and a depth."""
-    turns = int(tree_sizes(n, depth)[0])
-    m, p, r = 4 * n + 8, n * (n + 1) // 2, _most_variables(n, depth, turns)
-    return TreeScratch(
-        new_branch(n),
-        new_branch_derivatives(n),
-        new_levels(n),
-        np.empty(n, np.int64),
-        np.empty(m),
-        np.empty(m),
-        np.empty((m, p)),
-        np.empty((m, p), np.int64),
-        np.empty(m, np.int64),
-        np.empty(turns, np.int64),
-        np.empty(r, np.int64),
-        np.empty(r),
-        np.empty(turns),
-        np.empty(turns),
-        _new_model_scratch(m, r),
-    )
-
-
-def _most_variables(n: int, depth: int, turns: int) -> int:
-    """Return how many turns the branches of a full working set depend on, at most."""
-    nodes, most = 1, 0
-    for level in range(depth + 1):
-        most += min(nodes, 4 * n + 8) * (n - level)
-        nodes *= n - level
-    return min(most, turns)
-
-
-def _new_model_scratch(m: int, r: int) -> ModelScratch:
-    return ModelScratch(
-        gradients=np.empty((m, r)),
-        weights=np.empty(m),
-        capture_rows=np.empty((1, 1)),
-        slopes=np.empty((1, 1)),
-        hessian=np.empty((r, r)),
-        convex_hessian=np.empty((r, r)),
-        factor=np.empty((r, r)),
-        eigenvectors=np.empty((1, 1)),
-        eigenvalues=np.empty(r),
-        linear=np.empty(r),
-        lower=np.empty(r),
-        upper=np.empty(r),
-        step=np.empty(r),
-        values=np.empty(m),
-        quadratic=QuadraticScratch(
-            np.empty((m + 2 * r, r)),
-            np.empty(r + 2, np.int64),
-            np.empty(r + 2),
-            np.empty((r + 2, r + 2)),
-            np.empty(r + 2),
-            np.empty(r + 2),
-            np.empty(r),
-        ),
-    )
 
 
 @entry
@@ -190,7 +86,7 @@ def ascend_tree(
     status, steps, radius, reweighted = STEPS_USED_UP, 0, options.radius, False
     while status == STEPS_USED_UP and steps < options.max_steps and workspace.stop[0] == GO_ON:
         scale = power_of_two_scale(value)
-        size = _fit(problem, tree, branches, scale, scratch)
+        size = fit(problem, tree, branches, scale, scratch)
         iterate = Iterate(scratch.iterate[:size], branches)
         predicted = best_step(iterate, scratch.here, radius, scale, scratch.model)
         if predicted - value <= options.tolerance * value:
@@ -267,101 +163,13 @@ def _make_exact(
 
 
 @compiled
-def _fit(
-    problem: Problem, tree: Tree, branches: WorkingSet, scale: float, scratch: TreeScratch
-) -> int:
-    """Build the local model in the turns of the working set's branches; return how many there are.
-
-    Writes values and gradients at the iterate, and the factor of the Lagrangian's Hessian, sign
-    turned. A turn on which no weighted branch depends is held by the steepest slope instead.
-    """
-    n, count, pursuit = len(problem.evaders), branches.used[0], problem.pursuit
-    total_weight, worst, size = 0.0, 0, 0
-    for k in range(len(tree.turns)):
-        scratch.places[k] = -1
-    for s in range(count):
-        scratch.here[s] = fly_branch(problem, tree, branches.sequences[s, :n], scratch.branch)
-        length = branch_gradient(pursuit, tree.depth, n, scratch.branch, scratch.derivatives)
-        scratch.lengths[s] = length
-        total_weight += branches.weights[s]
-        worst = s if scratch.here[s] < scratch.here[worst] else worst
-        for k in range(length):
-            turn = scratch.derivatives.variables[k]
-            scratch.gradients[s, k] = scratch.derivatives.gradient[k]
-            scratch.turns_of[s, k] = turn
-            if scratch.places[turn] < 0:
-                scratch.places[turn] = size
-                scratch.variables[size] = turn
-                scratch.iterate[size] = tree.turns[turn]
-                size += 1
-    if total_weight == 0.0:
-        branches.weights[worst] = 1.0
-    _scatter(problem, tree, branches, size, scale, scratch)
-    _factor(branches, size, scale, scratch)
-    return size
-
-
-@compiled
-def _scatter(
-    problem: Problem,
-    tree: Tree,
-    branches: WorkingSet,
-    size: int,
-    scale: float,
-    scratch: TreeScratch,
-) -> None:
-    """Write the branches' gradients and the Hessian in terms of the variables."""
-    n, model, places = len(problem.evaders), scratch.model, scratch.places
-    for a in range(size):
-        for b in range(a + 1):
-            model.hessian[a, b] = 0.0
-    for s in range(branches.used[0]):
-        model.weights[s] = branches.weights[s]
-        for a in range(size):
-            model.gradients[s, a] = 0.0
-        for k in range(scratch.lengths[s]):
-            model.gradients[s, places[scratch.turns_of[s, k]]] = scale * scratch.gradients[s, k]
-        if branches.weights[s] > _NEGLIGIBLE:
-            fly_branch(problem, tree, branches.sequences[s, :n], scratch.branch)
-            branch_gradient(problem.pursuit, tree.depth, n, scratch.branch, scratch.derivatives)
-            branch_hessian(problem.pursuit, tree.depth, n, scratch.branch, scratch.derivatives)
-            weight, hessian = scale * branches.weights[s], scratch.derivatives.hessian
-            for k in range(scratch.lengths[s]):
-                a = places[scratch.turns_of[s, k]]
-                for j in range(k + 1):
-                    b = places[scratch.turns_of[s, j]]
-                    model.hessian[max(a, b), min(a, b)] -= weight * hessian[k, j]
-
-
-@compiled
-def _factor(branches: WorkingSet, size: int, scale: float, scratch: TreeScratch) -> None:
-    """Factor the Hessian; convexified or shifted where it isn't positive definite."""
-    model, steepest = scratch.model, 0.0
-    for a in range(size):
-        model.linear[a] = 0.0
-        for s in range(branches.used[0]):
-            steepest = max(steepest, abs(model.gradients[s, a]))
-    for a in range(size):
-        if model.hessian[a, a] == 0.0:
-            model.hessian[a, a] = steepest
-    floor = steepest / _FARTHEST
-    if cholesky(model.hessian, size, floor, model.factor):
-        return
-    for a in range(size):
-        for b in range(a + 1):
-            model.convex_hessian[a, b] = model.hessian[a, b]
-    penalise(size, branches, scratch.here, scale, model)
-    shifted_cholesky(model.convex_hessian, size, floor, model.factor)
-
-
-@compiled
 def _take_step(
     problem: Problem, tree: Tree, iterate: Iterate, aim: Aim, scratch: TreeScratch
 ) -> float:
     """Write the trial, corrected where it falls short; return its value on the working set."""
     size, branches = len(iterate.turns), iterate.working_set
     value = _try_step(problem, tree, branches, size, scratch)
-    short = value - aim.value < _MIN_GAIN_RATIO * (aim.predicted - aim.value)
+    short = value - aim.value < MIN_GAIN_RATIO * (aim.predicted - aim.value)
     if branches.used[0] == 1 or not short:
         return value
     for k in range(len(tree.turns)):

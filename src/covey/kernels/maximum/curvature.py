@@ -15,7 +15,7 @@ from covey.kernels.maximum.local_model import ModelScratch
 from covey.kernels.maximum.working_set import WorkingSet
 
 _PENALTY = 20.0  # of the Hessian's size, across the active sequences
-_FARTHEST = 1e5  # radians to the maximum of a single sequence's model, at most
+FARTHEST = 1e5  # radians to the maximum of a single sequence's model, at most
 _CHANGED, _NEGLIGIBLE = 0.1, 1e-6  # of the multipliers, which sum to one
 _ESCAPE_LENGTH = 0.03  # radians
 
@@ -70,7 +70,7 @@ def factor_hessian(
         scratch.linear[i] = 0.0
         for s in range(working_set.used[0]):
             steepest = max(steepest, abs(scratch.gradients[s, i]))
-    floor = steepest / _FARTHEST
+    floor = steepest / FARTHEST
     if cholesky(scratch.hessian, n, floor, scratch.factor):
         return HessianStatus(False, False)
     _copy_hessian(n, scratch)

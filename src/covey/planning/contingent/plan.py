@@ -10,7 +10,6 @@ from typing import NamedTuple
 import numpy as np
 
 from covey.kernels.capture.path import HEADING
-from covey.kernels.contingent.ascent import new_branches
 from covey.kernels.contingent.branch import fly_branch, new_branch
 from covey.kernels.contingent.minimum import new_levels, tree_value
 from covey.kernels.contingent.tree import Tree, answer_to, tree_sizes
@@ -20,21 +19,11 @@ from covey.model.angles import wrap_angle
 from covey.model.validation import Floats, read_only, whole_number
 from covey.planning.contingent.delays import DelayedGuarantee, with_delays
 from covey.planning.contingent.moment import Moment, after_capture
-from covey.planning.contingent.search import (
-    Ascent,
-    Effort,
-    ascend,
-    better,
-    built,
-    deepened,
-    open_loop_plans,
-    problem_of,
-)
+from covey.planning.contingent.search import deeper_and_deeper, problem_of
 from covey.planning.guarantee import about_center, check_game, pursuit_of
 from covey.planning.open_loop import (
     CRITICAL_WITHIN,
     PLAN_STATUS,
-    Plan,
     PlanStatus,
     plan,
 )
@@ -42,9 +31,6 @@ from covey.planning.workspace import workspace
 
 MOST_TURNS = 20_000
 """Of a tree: as many as seven evaders need to answer every capture, or twelve to answer three."""
-
-_ROOTS = 2  # open-loop plans that trees are built on
-_STARTS = 16  # of the search for each open-loop plan
 
 
 class Node(NamedTuple):
@@ -212,23 +198,11 @@ def plan_contingent(
     if depth == 0:
         node, cost = Node(moment, first.turns, 0, disk.center), (first.starts, first.steps)
         return _plan_of(node, evaders, first.status, cost, list(first.critical_sequences))
-    found = _deeper_and_deeper(moment, depth, first, seed)
-    node, cost = Node(moment, found.turns, depth, disk.center), (found.starts, found.steps)
+    found = deeper_and_deeper(moment, depth, first.turns, seed)
+    node = Node(moment, found.turns, depth, disk.center)
+    cost = (first.starts + found.starts, first.steps + found.steps)
     critical = _sequences(found.branches, n)
     return _plan_of(node, evaders, PLAN_STATUS[found.status], cost, critical)
-
-
-def _deeper_and_deeper(moment: Moment, depth: int, first: Plan, seed: int) -> Ascent:
-    """Return the best tree found; each depth begins, too, with the tree of the depth before."""
-    effort = Effort(seed, _STARTS, _ROOTS)
-    _, roots = open_loop_plans(moment, effort)
-    shallower = first.turns
-    for each in range(1, depth + 1):
-        tree = deepened(moment, each - 1, shallower)
-        best = ascend(moment, each, tree, new_branches(len(first.turns)))
-        best = better(best, built(moment, each, roots, effort))
-        shallower = best.turns
-    return best._replace(starts=best.starts + first.starts, steps=best.steps + first.steps)
 
 
 def _require_room(n: int, depth: int) -> None:

@@ -12,7 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels.contingent.ascent import ascend_tree, new_branches
+from covey.kernels.contingent.ascent import ascend_tree
+from covey.kernels.contingent.scratch import new_branches
 from covey.kernels.contingent.tree import Tree, answer_to, tree_sizes
 from covey.kernels.maximum.multistart import is_better
 from covey.kernels.maximum.problem import CONVERGED, Options, Problem
@@ -31,6 +32,8 @@ RADIUS = 0.2
 TOLERANCE = 1e-7
 """An ascent ends when a step promises less than this, relative to the value."""
 
+_ROOTS = 2  # open-loop plans that trees are built on
+_STARTS = 16  # of the search for each open-loop plan
 _ROUNDS = 3  # trees that are built anew on the turns of the best tree, at most
 
 
@@ -74,22 +77,15 @@ def ascend(moment: Moment, depth: int, turns: Floats, branches: WorkingSet) -> A
     return Ascent(value, tree.turns, branches, status, 1, steps)
 
 
-def continued(moment: Moment, depth: int, turns: Floats) -> Floats:
-    """Return the tree of n evaders that fly on with their turns (n,) whatever happens."""
-    return deepened(moment, 0, turns, depth) if depth > 0 else turns
-
-
-def deepened(moment: Moment, depth: int, tree: Floats, by: int = 1) -> Floats:
-    """Return a tree that answers more captures, `by` of them, with what all are flying already."""
+def deepened(moment: Moment, depth: int, tree: Floats) -> Floats:
+    """Return the tree that answers one capture more, with what all are flying already."""
     n = len(moment.evaders)
     now = tree[:n]
     parts = [now]
     for rank, time in enumerate(moment.earliest(now)):
         after, left = after_capture(moment, now, rank, time)
-        if depth > 0:
-            parts.append(deepened(after, depth - 1, answer_to(tree, n, rank), by))
-        else:
-            parts.append(continued(after, by - 1, left))
+        answer = deepened(after, depth - 1, answer_to(tree, n, rank)) if depth > 0 else left
+        parts.append(answer)
     return np.concatenate(parts)
 
 
@@ -150,4 +146,18 @@ def built(moment: Moment, depth: int, roots: list[Floats], effort: Effort) -> As
         best = better(best, joined(moment, depth, best.turns[: len(roots[0])], effort))
         if not is_better(best.value, before):
             break
+    return best
+
+
+def deeper_and_deeper(moment: Moment, depth: int, turns: Floats, seed: int) -> Ascent:
+    """Return the best tree found; each depth begins, too, with the tree of the depth before.
+
+    The first of these trees are the turns (n,) of an open-loop plan; `depth` is at least 1.
+    """
+    effort, n = Effort(seed, _STARTS, _ROOTS), len(turns)
+    _, roots = open_loop_plans(moment, effort)
+    best = Ascent(-math.inf, turns, new_branches(n), CONVERGED, 0, 0)
+    for each in range(1, depth + 1):
+        flown = ascend(moment, each, deepened(moment, each - 1, best.turns), new_branches(n))
+        best = better(flown, built(moment, each, roots, effort))
     return best

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from covey.kernels.contingent.ascent import new_branches
+from covey.kernels.contingent.scratch import new_branches
 from covey.kernels.contingent.tree import answer_to
 from covey.kernels.maximum.working_set import WorkingSet
 from covey.model.validation import Floats, whole_number
