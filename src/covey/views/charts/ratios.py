@@ -96,8 +96,8 @@ def _draw_panel(axes: Axes, values: Floats, edges: Floats) -> None:
     one = int(counts[at_one][0])
     axes.annotate(
         f"$1 \\pm 0.005$: {one}",
-        (1.0, one),
-        xytext=(-5.0, -3.0),
+        (1.0 - 0.5 * _BIN, one),
+        xytext=(-2.0, -3.0),
         textcoords="offset points",
         ha="right",
         va="top",
@@ -118,12 +118,10 @@ def _draw_line(axes: Axes, values: Floats, edges: Floats, starts: int) -> None:
     axes.stairs(heights, edges, color=style.PURSUER, linewidth=1.0, gid="assured")
     top = max(float(heights.max()), axes.get_ylim()[1] / 1.08)
     axes.set_ylim(0.0, 1.08 * top)
-    axes.annotate(
-        f"line: assured pursuer,\n{len(values)} starts",
-        (0.02, 0.9),
-        xycoords="axes fraction",
-        va="top",
+    axes.set_title(
+        f"line: assured, {len(values)} starts",
+        loc="right",
+        pad=3,
         color=style.PURSUER,
         fontsize=style.SMALL_TEXT_SIZE,
-        path_effects=[withStroke(linewidth=2.0, foreground="white")],
     )
