@@ -8,7 +8,7 @@ PINNED := $(PIP) --only-binary :all: --require-hashes
 COVEY := $(PIP) --no-deps --no-build-isolation --editable .
 
 .DEFAULT_GOAL := help
-.PHONY: help install paper test test-lowest lint format wheel check-package bench accounting soak pins clean
+.PHONY: help install paper test test-lowest lint format wheel check-package bench accounting soak fuzz faults mutants pins clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
@@ -55,6 +55,9 @@ wheel: $(READY) ## Build a wheel with the compiled kernels inside (PLATFORM=all 
 	@$(BIN)/python $(PINNED) -r requirements/wheel.txt
 	$(BIN)/python packaging/wheels.py $(PLATFORM)
 
+mutants: $(READY) ## Plant bugs, one at a time, and say which test catches each (ARGS='--room views')
+	$(BIN)/python mutants/run.py $(ARGS)
+
 bench: $(READY) ## Measure speed; never a part of the tests
 	$(BIN)/python -m pytest benchmarks --ignore benchmarks/bench_accounting.py --benchmark-only $(ARGS)
 
@@ -64,6 +67,13 @@ accounting: $(READY) ## Show where the time of a plan goes, kernel by kernel
 soak: $(READY) ## Play random games against the rules (HOURS=1; SEED=... repeats a failure; ARGS='--workers 1')
 	@$(BIN)/python -m covey warmup
 	$(BIN)/python -m soak $(if $(SEED),--seed $(SEED),--hours $(or $(HOURS),1)) $(ARGS)
+
+faults: $(READY) ## Kill, interrupt, fill up and cut, at random moments, and compare (ARGS='--seed 1')
+	$(BIN)/python -m faults $(ARGS)
+
+fuzz: $(READY) ## Search for inputs that break covey (MINUTES=10, SEED= to repeat, CASE=file)
+	@$(BIN)/python -m covey warmup
+	PYTHONPATH=tests $(BIN)/python -m fuzz $(if $(MINUTES),--minutes $(MINUTES)) $(if $(SEED),--seed $(SEED)) $(if $(CASE),--case $(CASE))
 
 check-package: $(READY) ## Build the package, install it in an empty environment and use it there
 	$(BIN)/python packaging/check_installed.py
@@ -79,5 +89,5 @@ pins: ## Write requirements/, the versions and hashes that are installed (ARGS=-
 	$(COMPILE) --group pins $(ARGS) --output-file requirements/pins.txt
 
 clean: ## Remove the environment and all caches, but no results
-	rm -rf $(VENV) build dist .benchmarks .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
-	find src tests benchmarks soak -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true
+	rm -rf $(VENV) build dist fuzz/findings .benchmarks .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
+	find src tests benchmarks soak fuzz faults -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true

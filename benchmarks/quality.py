@@ -38,7 +38,7 @@ def best_known(team, disk):
     for seed in range(STARTS // N_RANDOM):
         uniforms = guess_uniforms(100 + seed, N_RANDOM, len(team))
         search = Search(problem, DEFAULT_TOLERANCE, uniforms, math.inf)
-        values.append(search.finish(search.run(NONE, N_RANDOM)).value)
+        values.append(search.run(NONE, N_RANDOM).value)
     return max(values)
 
 

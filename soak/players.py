@@ -18,6 +18,9 @@ from soak import custom_pursuers
 FASTEST = 0.95
 """Speed of most evaders, relative to the pursuer's, at most; a few are nearly as fast as that."""
 
+LARGEST_TREE = 5
+"""Evaders up to which a team answers captures: a tree of more takes seconds."""
+
 
 class Player(NamedTuple):
     """A strategy, and what is known of it."""
@@ -26,6 +29,7 @@ class Player(NamedTuple):
     strategy: Any
     compiled: bool = False  # can play in a compiled game
     ends: bool = False  # a pursuer that captures all in bounded time
+    assures: bool = False  # a pursuer that assures a time by which everybody is captured
     placed: bool = False  # a pursuer that has a position even where it is hidden
     keeps_plan: bool = False  # a team that flies its first plan to the end
     replans: bool = False  # a team whose later plans never promise less
@@ -97,6 +101,12 @@ def _constant_heading(generator, setting):
     return Player("constant heading", covey.ConstantHeading(starts=1, restarts=1))
 
 
+def _contingent(generator, setting):
+    most = 2 if len(setting.team) <= LARGEST_TREE else 0
+    strategy = covey.Contingent(int(generator.integers(0, most + 1)), _interval(generator, setting))
+    return Player("contingent", strategy)
+
+
 def _known_sequence(generator, setting):
     order = generator.permutation(len(setting.team)) if generator.random() < 0.5 else None
     strategy = covey.KnownSequence(order, replan_time=_interval(generator, setting))
@@ -133,6 +143,10 @@ def _fixed_sequence(generator, setting):
 
 def _best_sequence(generator, setting):
     return Player("best sequence", covey.BestSequence(), compiled=True, ends=True)
+
+
+def _assured(generator, setting):
+    return Player("assured", covey.AssuredPursuer(), ends=True, assures=True)
 
 
 def _random_sequence(generator, setting):
@@ -235,6 +249,7 @@ INTERPRETED_TEAMS = {
     _hold_course: 3,
     _straight_away: 3,
     _constant_heading: 3,
+    _contingent: 3,
     _known_sequence: 1,
     _largest_distance: 2,
     _smallest_danger: 1,
@@ -247,6 +262,7 @@ COMPILED_PURSUERS = {
     _best_sequence: 1,
 }
 INTERPRETED_PURSUERS = {
+    _assured: 3,
     _flying: 4,
     _nearest_first: 3,
     _delayed: 3,

@@ -102,7 +102,20 @@ def promises(case, game):
         # covey's own limit of time is one within which such a pursuer has captured everybody.
         in_time = game.status is not covey.GameStatus.TIME_LIMIT
         found["a fixed order comes to its end"] = _exactly(in_time)
-    return found
+    return found | _assurances(case, game)
+
+
+def _assurances(case, game):
+    """The pursuer's assurance begins at the bracket, never rises, and is kept."""
+    if not case.pursuer.assures:
+        return {}
+    until, lived = game.assurances, game.times[-1]
+    upper = covey.bracket(case.team, case.disk, seed=case.seed).upper
+    return {
+        "first assurance is the bracket's": _difference(upper, until[0]),
+        "assurance never rises": _largest_fall(-until) / float(until.max() or 1.0),
+        "done by the last assurance": _shortfall(lived, until[-1]),
+    }
 
 
 def played_again(case, game):
@@ -141,7 +154,8 @@ def promise_of_a_row(case, game):
         game.disk_centers[row], game.disk_radii[row], case.disk.speed, case.disk.capture_radius
     )
     found = covey.guaranteed_survival(team, disk, game.evader_turns[row, numbers])
-    return {"promise of a row": _difference(found.time, game.guarantees[row])}
+    until, recorded = game.times[row] + found.time, game.times[row] + game.guarantees[row]
+    return {"promise of a row": _difference(until, recorded)}
 
 
 def plan_by_itself(case, game):

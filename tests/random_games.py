@@ -11,9 +11,14 @@ import covey
 
 EPSILON = float(np.finfo(np.float64).eps)
 
+PLACE = np.array([3.0, 1.0])
+"""Of the pursuer in random games."""
+
 
 def random_game(generator, count, *, radius=0.0, capture_radius=0.0, mixed=False):
     """A team spread over a unit square around the pursuer, as in section V of the paper.
+
+    The pursuer isn't at the origin: whatever takes the origin for the centre is wrong here.
 
     Where it is `mixed`, speeds and turn rates differ: some stand, can't turn, or turn at once.
     """
@@ -22,12 +27,12 @@ def random_game(generator, count, *, radius=0.0, capture_radius=0.0, mixed=False
         speeds = generator.choice([0.0, 0.1, 0.25, 0.5, 0.8], count)
         turn_rates = generator.choice([0.0, 0.5, math.pi / 2, 6.0, math.inf], count)
     team = covey.Team(
-        generator.uniform(-0.5, 0.5, (count, 2)),
+        PLACE + generator.uniform(-0.5, 0.5, (count, 2)),
         generator.uniform(-math.pi, math.pi, count),
         speeds,
         turn_rates,
     )
-    return team, covey.PursuerDisk((0.0, 0.0), radius, 1.0, capture_radius)
+    return team, covey.PursuerDisk(PLACE, radius, 1.0, capture_radius)
 
 
 def random_turns(generator, count):

@@ -28,12 +28,25 @@ MADE = {
     "Plan": lambda: covey.plan(team(), disk(), starts=2),
     "Guarantee": lambda: covey.guaranteed_survival(team(), disk(), np.zeros(3)),
     "Bracket": lambda: covey.bracket(team(), disk(), starts=2),
+    "ContingentPlan": lambda: covey.plan_contingent(team(), disk()),
+    "DelayedGuarantee": lambda: covey.plan_contingent(team(), disk()).with_delays,
+    "WorstCase": lambda: covey.worst_case(team(), disk(), update_time=0.1),
     "SequencePlan": lambda: covey.plan_for_sequence(team(), disk(), [0, 1, 2]),
     "Game": lambda: covey.simulate(team(), disk(), update_time=0.1),
     "Scenario": lambda: covey.load_scenario("fig3"),
     "Study": lambda: covey.Study(turn_radius=[0.1, 0.2]),
 }
-TABLES = ("Team", "PursuerDisk", "Plan", "Guarantee", "Bracket", "Game")
+ROWS = {
+    "Team": 3,
+    "PursuerDisk": 1,
+    "Plan": 3,
+    "ContingentPlan": 3,
+    "DelayedGuarantee": 1,
+    "WorstCase": 3,
+    "Guarantee": 1,
+    "Bracket": 1,
+    "Game": 3,
+}
 
 
 @pytest.mark.parametrize("name", MADE)
@@ -66,11 +79,11 @@ def test_the_results_of_a_study_tell_where_they_are(tmp_path):
     assert repr(result) == f"StudyResult({str(tmp_path)!r}, 12 games)"
 
 
-@pytest.mark.parametrize("name", TABLES)
-def test_a_notebook_gets_a_small_table(name):
+@pytest.mark.parametrize(("name", "rows"), ROWS.items())
+def test_a_notebook_gets_a_small_table(name, rows):
     table = MADE[name]()._repr_html_()
     assert table.startswith("<table><caption>")
-    assert table.count("<tr>") == 1 + (3 if name in ("Team", "Plan", "Game") else 1)
+    assert table.count("<tr>") == 1 + rows
     heads, cells = table.count("<th>"), table.count("<td>")
     assert cells == heads * (table.count("<tr>") - 1)
 

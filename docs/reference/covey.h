@@ -66,6 +66,196 @@ struct covey_announce_words {
 };
 int64_t covey_announce(const struct covey_announce_words *words, void *results);
 
+/* Ascend to a local maximum of the minimum over all capture sequences.
+
+   Parameters
+   ----------
+   problem
+       The evaders (n) and the pursuit; the objective is the last capture.
+   tree
+       Of n evaders; its turns are modified in place.
+   options
+       First radius of the trust region, tolerance, largest number of steps.
+   branches
+       The working set, which may be empty; modified in place.
+   scratch
+       For trees of this size; modified in place.
+   workspace
+       With room for n evaders; modified in place. Its flag ends the ascent early.
+
+   Returns
+   -------
+   tuple of float, int, int, int
+       The exact value, which is never below that of the given turns; CONVERGED, STALLED or
+       STEPS_USED_UP; steps; interceptions. */
+struct covey_ascend_tree_words {
+    double *problem_evaders; int64_t problem_evaders_0, problem_evaders_1; /* (n, EVADER) of the living */
+    double problem_pursuit_center_x;
+    double problem_pursuit_center_y;
+    double problem_pursuit_first_radius;
+    double problem_pursuit_later_radius;
+    double problem_pursuit_speed;
+    int64_t problem_objective_total; /* the sum of all capture times; else the last capture */
+    int64_t problem_objective_expected; /* the mean over the drawn sequences; else the minimum over all sequences */
+    int64_t *problem_objective_draws_used; int64_t problem_objective_draws_used_0; /* (1,) how many rows are in use */
+    int64_t *problem_objective_draws_sequences; int64_t problem_objective_draws_sequences_0, problem_objective_draws_sequences_1; /* (K, n) */
+    double *problem_objective_draws_probabilities; int64_t problem_objective_draws_probabilities_0; /* (K,) */
+    double *tree_turns; int64_t tree_turns_0; /* (sizes[0],) signed turns, radians in [-π, π] */
+    int64_t tree_depth; /* 0: the turns of an open-loop plan; at most n - 1 */
+    int64_t *tree_sizes; int64_t tree_sizes_0; /* (n + 1,) turns in a subtree after k captures */
+    double options_radius; /* of the first trust region: the largest first change of a turn, radians */
+    double options_tolerance; /* a predicted gain below this, relative to the value, ends the ascent */
+    int64_t options_max_steps;
+    int64_t *branches_used; int64_t branches_used_0; /* (1,) how many rows are in use */
+    int64_t *branches_sequences; int64_t branches_sequences_0, branches_sequences_1; /* (m, n) */
+    double *branches_weights; int64_t branches_weights_0; /* (m,) multipliers of the last step, >= 0: the shares in the Hessian */
+    double *branches_values; int64_t branches_values_0; /* (m,) objective of each sequence where the last ascent ended */
+    double *scratch_branch_times; int64_t scratch_branch_times_0; /* (n,) capture times */
+    double *scratch_branch_evaders; int64_t scratch_branch_evaders_0, scratch_branch_evaders_1; /* (n, EVADER) where the present segment began */
+    double *scratch_branch_turns; int64_t scratch_branch_turns_0; /* (n,) of the present segment */
+    double *scratch_branch_paths; int64_t scratch_branch_paths_0, scratch_branch_paths_1; /* (n, PATH) of the present segment */
+    double *scratch_branch_segments; int64_t scratch_branch_segments_0, scratch_branch_segments_1; /* (n * n, SEGMENT) row j * n + k: segment k of the j-th captured evader */
+    int64_t *scratch_branch_variables; int64_t scratch_branch_variables_0, scratch_branch_variables_1; /* (n, n) entry (j, k): which turn of the tree segment k of evader j has */
+    double *scratch_derivatives_captures; int64_t scratch_derivatives_captures_0, scratch_derivatives_captures_1; /* (n, CAPTURE) */
+    double *scratch_derivatives_controls; int64_t scratch_derivatives_controls_0, scratch_derivatives_controls_1; /* (n * n, CONTROL) row j * n + k: segment k of the j-th captured evader */
+    double *scratch_derivatives_gradient; int64_t scratch_derivatives_gradient_0; /* (p,) time per radian */
+    int64_t *scratch_derivatives_variables; int64_t scratch_derivatives_variables_0; /* (p,) numbers of the turns in the tree */
+    double *scratch_derivatives_hessian; int64_t scratch_derivatives_hessian_0, scratch_derivatives_hessian_1; /* (p, p) lower triangle, time per radian squared */
+    double *scratch_derivatives_durations; int64_t scratch_derivatives_durations_0, scratch_derivatives_durations_1; /* (n, p) derivatives of the durations */
+    double *scratch_derivatives_positions; int64_t scratch_derivatives_positions_0, scratch_derivatives_positions_1; /* (4, p) derivatives of P_k and P_{k-1} */
+    double *scratch_derivatives_rows; int64_t scratch_derivatives_rows_0, scratch_derivatives_rows_1; /* (4, p) scratch */
+    double *scratch_levels_evaders; int64_t scratch_levels_evaders_0, scratch_levels_evaders_1; /* (n * n, EVADER) row level * n + rank */
+    double *scratch_levels_paths; int64_t scratch_levels_paths_0, scratch_levels_paths_1; /* (n * n, PATH) */
+    int64_t *scratch_levels_numbers; int64_t scratch_levels_numbers_0, scratch_levels_numbers_1; /* (n, n) the evaders' numbers, ascending */
+    double *scratch_levels_disks; int64_t scratch_levels_disks_0, scratch_levels_disks_1; /* (n, 4) */
+    int64_t *scratch_levels_counters; int64_t scratch_levels_counters_0, scratch_levels_counters_1; /* (n, 2) */
+    int64_t *scratch_levels_sequence; int64_t scratch_levels_sequence_0; /* (n,) evaders captured so far */
+    int64_t *scratch_sequence; int64_t scratch_sequence_0; /* (n,) the worst sequence */
+    double *scratch_here; int64_t scratch_here_0; /* (m,) last capture of each branch at the iterate */
+    double *scratch_there; int64_t scratch_there_0; /* (m,) the same at the trial */
+    double *scratch_gradients; int64_t scratch_gradients_0, scratch_gradients_1; /* (m, p) of each branch */
+    int64_t *scratch_turns_of; int64_t scratch_turns_of_0, scratch_turns_of_1; /* (m, p) which turns a branch depends on */
+    int64_t *scratch_lengths; int64_t scratch_lengths_0; /* (m,) how many */
+    int64_t *scratch_places; int64_t scratch_places_0; /* (turns of the tree,) places among the variables, -1: none */
+    int64_t *scratch_variables; int64_t scratch_variables_0; /* (r,) turns that some branch depends on */
+    double *scratch_iterate; int64_t scratch_iterate_0; /* (r,) their values */
+    double *scratch_trial; int64_t scratch_trial_0; /* (turns of the tree,) */
+    double *scratch_first_trial; int64_t scratch_first_trial_0; /* (turns of the tree,) before its correction */
+    double *scratch_model_gradients; int64_t scratch_model_gradients_0, scratch_model_gradients_1; /* (m, n) */
+    double *scratch_model_weights; int64_t scratch_model_weights_0; /* (m,) multipliers in the Hessian */
+    double *scratch_model_capture_rows; int64_t scratch_model_capture_rows_0, scratch_model_capture_rows_1; /* (n, CAPTURE_ROW) or more columns */
+    double *scratch_model_slopes; int64_t scratch_model_slopes_0, scratch_model_slopes_1; /* (3, n) */
+    double *scratch_model_hessian; int64_t scratch_model_hessian_0, scratch_model_hessian_1; /* (n, n) of the Lagrangian, sign turned; lower triangle */
+    double *scratch_model_convex_hessian; int64_t scratch_model_convex_hessian_0, scratch_model_convex_hessian_1; /* (n, n) made positive definite for the quadratic programme */
+    double *scratch_model_factor; int64_t scratch_model_factor_0, scratch_model_factor_1; /* (n, n) */
+    double *scratch_model_eigenvectors; int64_t scratch_model_eigenvectors_0, scratch_model_eigenvectors_1; /* (n, n) */
+    double *scratch_model_eigenvalues; int64_t scratch_model_eigenvalues_0; /* (n,) */
+    double *scratch_model_linear; int64_t scratch_model_linear_0; /* (n,) linear term of the penalty */
+    double *scratch_model_lower; int64_t scratch_model_lower_0; /* (n,) bounds of the step */
+    double *scratch_model_upper; int64_t scratch_model_upper_0; /* (n,) */
+    double *scratch_model_step; int64_t scratch_model_step_0; /* (n,) the maximiser */
+    double *scratch_model_values; int64_t scratch_model_values_0; /* (m,) */
+    double *scratch_model_quadratic_whitened; int64_t scratch_model_quadratic_whitened_0, scratch_model_quadratic_whitened_1; /* (m + 2n, n) L^-1 a_j for each constraint j */
+    int64_t *scratch_model_quadratic_active; int64_t scratch_model_quadratic_active_0; /* (n + 2,) */
+    double *scratch_model_quadratic_multipliers; int64_t scratch_model_quadratic_multipliers_0; /* (n + 2,) of the active constraints */
+    double *scratch_model_quadratic_gram; int64_t scratch_model_quadratic_gram_0, scratch_model_quadratic_gram_1; /* (n + 2, n + 2) their products, then its Cholesky factor */
+    double *scratch_model_quadratic_ones; int64_t scratch_model_quadratic_ones_0; /* (n + 2,) */
+    double *scratch_model_quadratic_direction; int64_t scratch_model_quadratic_direction_0; /* (n + 2,) */
+    double *scratch_model_quadratic_combined; int64_t scratch_model_quadratic_combined_0; /* (n,) sum of multipliers times whitened */
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
+};
+struct covey_ascend_tree_results {
+    double value_0;
+    int64_t value_1;
+    int64_t value_2;
+    int64_t value_3;
+};
+int64_t covey_ascend_tree(const struct covey_ascend_tree_words *words, struct covey_ascend_tree_results *results);
+
+/* Write the gradient of the last capture; return its length p.
+
+   Parameters
+   ----------
+   pursuit
+       The pursuer.
+   depth
+       Of the tree.
+   n
+       Number of captures.
+   branch
+       As `fly_branch` left it.
+   derivatives
+       `captures`, `controls`, `gradient` and `variables` are modified in place. */
+struct covey_branch_gradient_words {
+    double pursuit_center_x;
+    double pursuit_center_y;
+    double pursuit_first_radius;
+    double pursuit_later_radius;
+    double pursuit_speed;
+    int64_t depth;
+    int64_t n;
+    double *branch_times; int64_t branch_times_0; /* (n,) capture times */
+    double *branch_evaders; int64_t branch_evaders_0, branch_evaders_1; /* (n, EVADER) where the present segment began */
+    double *branch_turns; int64_t branch_turns_0; /* (n,) of the present segment */
+    double *branch_paths; int64_t branch_paths_0, branch_paths_1; /* (n, PATH) of the present segment */
+    double *branch_segments; int64_t branch_segments_0, branch_segments_1; /* (n * n, SEGMENT) row j * n + k: segment k of the j-th captured evader */
+    int64_t *branch_variables; int64_t branch_variables_0, branch_variables_1; /* (n, n) entry (j, k): which turn of the tree segment k of evader j has */
+    double *derivatives_captures; int64_t derivatives_captures_0, derivatives_captures_1; /* (n, CAPTURE) */
+    double *derivatives_controls; int64_t derivatives_controls_0, derivatives_controls_1; /* (n * n, CONTROL) row j * n + k: segment k of the j-th captured evader */
+    double *derivatives_gradient; int64_t derivatives_gradient_0; /* (p,) time per radian */
+    int64_t *derivatives_variables; int64_t derivatives_variables_0; /* (p,) numbers of the turns in the tree */
+    double *derivatives_hessian; int64_t derivatives_hessian_0, derivatives_hessian_1; /* (p, p) lower triangle, time per radian squared */
+    double *derivatives_durations; int64_t derivatives_durations_0, derivatives_durations_1; /* (n, p) derivatives of the durations */
+    double *derivatives_positions; int64_t derivatives_positions_0, derivatives_positions_1; /* (4, p) derivatives of P_k and P_{k-1} */
+    double *derivatives_rows; int64_t derivatives_rows_0, derivatives_rows_1; /* (4, p) scratch */
+};
+struct covey_branch_gradient_results {
+    int64_t value_0;
+};
+int64_t covey_branch_gradient(const struct covey_branch_gradient_words *words, struct covey_branch_gradient_results *results);
+
+/* Write the Hessian of the last capture to the lower triangle of `derivatives.hessian`.
+
+   Parameters are those of `branch_gradient`, which must have been called before.
+
+   For each capture, in order: the derivatives of the duration and of the capture's position; the
+   curvature of the distance across n_k; the curvature of the evader's own path. */
+struct covey_branch_hessian_words {
+    double pursuit_center_x;
+    double pursuit_center_y;
+    double pursuit_first_radius;
+    double pursuit_later_radius;
+    double pursuit_speed;
+    int64_t depth;
+    int64_t n;
+    double *branch_times; int64_t branch_times_0; /* (n,) capture times */
+    double *branch_evaders; int64_t branch_evaders_0, branch_evaders_1; /* (n, EVADER) where the present segment began */
+    double *branch_turns; int64_t branch_turns_0; /* (n,) of the present segment */
+    double *branch_paths; int64_t branch_paths_0, branch_paths_1; /* (n, PATH) of the present segment */
+    double *branch_segments; int64_t branch_segments_0, branch_segments_1; /* (n * n, SEGMENT) row j * n + k: segment k of the j-th captured evader */
+    int64_t *branch_variables; int64_t branch_variables_0, branch_variables_1; /* (n, n) entry (j, k): which turn of the tree segment k of evader j has */
+    double *derivatives_captures; int64_t derivatives_captures_0, derivatives_captures_1; /* (n, CAPTURE) */
+    double *derivatives_controls; int64_t derivatives_controls_0, derivatives_controls_1; /* (n * n, CONTROL) row j * n + k: segment k of the j-th captured evader */
+    double *derivatives_gradient; int64_t derivatives_gradient_0; /* (p,) time per radian */
+    int64_t *derivatives_variables; int64_t derivatives_variables_0; /* (p,) numbers of the turns in the tree */
+    double *derivatives_hessian; int64_t derivatives_hessian_0, derivatives_hessian_1; /* (p, p) lower triangle, time per radian squared */
+    double *derivatives_durations; int64_t derivatives_durations_0, derivatives_durations_1; /* (n, p) derivatives of the durations */
+    double *derivatives_positions; int64_t derivatives_positions_0, derivatives_positions_1; /* (4, p) derivatives of P_k and P_{k-1} */
+    double *derivatives_rows; int64_t derivatives_rows_0, derivatives_rows_1; /* (4, p) scratch */
+};
+int64_t covey_branch_hessian(const struct covey_branch_hessian_words *words, void *results);
+
 /* Algorithm 1: write the capture times in the order of `sequence`; return the last time.
 
    Parameters
@@ -234,6 +424,46 @@ struct covey_fly_results {
     int64_t value_0;
 };
 int64_t covey_fly(const struct covey_fly_words *words, struct covey_fly_results *results);
+
+/* Write the capture times of a sequence and the segments' ends; return the last time.
+
+   Parameters
+   ----------
+   problem
+       The evaders (n) and the pursuit; the objective is the last capture.
+   tree
+       Of n evaders.
+   sequence
+       (n,) the order of capture.
+   branch
+       Modified in place. */
+struct covey_fly_branch_words {
+    double *problem_evaders; int64_t problem_evaders_0, problem_evaders_1; /* (n, EVADER) of the living */
+    double problem_pursuit_center_x;
+    double problem_pursuit_center_y;
+    double problem_pursuit_first_radius;
+    double problem_pursuit_later_radius;
+    double problem_pursuit_speed;
+    int64_t problem_objective_total; /* the sum of all capture times; else the last capture */
+    int64_t problem_objective_expected; /* the mean over the drawn sequences; else the minimum over all sequences */
+    int64_t *problem_objective_draws_used; int64_t problem_objective_draws_used_0; /* (1,) how many rows are in use */
+    int64_t *problem_objective_draws_sequences; int64_t problem_objective_draws_sequences_0, problem_objective_draws_sequences_1; /* (K, n) */
+    double *problem_objective_draws_probabilities; int64_t problem_objective_draws_probabilities_0; /* (K,) */
+    double *tree_turns; int64_t tree_turns_0; /* (sizes[0],) signed turns, radians in [-π, π] */
+    int64_t tree_depth; /* 0: the turns of an open-loop plan; at most n - 1 */
+    int64_t *tree_sizes; int64_t tree_sizes_0; /* (n + 1,) turns in a subtree after k captures */
+    int64_t *sequence; int64_t sequence_0;
+    double *branch_times; int64_t branch_times_0; /* (n,) capture times */
+    double *branch_evaders; int64_t branch_evaders_0, branch_evaders_1; /* (n, EVADER) where the present segment began */
+    double *branch_turns; int64_t branch_turns_0; /* (n,) of the present segment */
+    double *branch_paths; int64_t branch_paths_0, branch_paths_1; /* (n, PATH) of the present segment */
+    double *branch_segments; int64_t branch_segments_0, branch_segments_1; /* (n * n, SEGMENT) row j * n + k: segment k of the j-th captured evader */
+    int64_t *branch_variables; int64_t branch_variables_0, branch_variables_1; /* (n, n) entry (j, k): which turn of the tree segment k of evader j has */
+};
+struct covey_fly_branch_results {
+    double value_0;
+};
+int64_t covey_fly_branch(const struct covey_fly_branch_words *words, struct covey_fly_branch_results *results);
 
 /* Fly each pursuer of a batch at its velocity; each team flies its plan, and replans.
 
@@ -823,6 +1053,40 @@ struct covey_play_to_capture_results {
 };
 int64_t covey_play_to_capture(const struct covey_play_to_capture_words *words, struct covey_play_to_capture_results *results);
 
+/* Raise the lower bound of each sequence by better headings, until it reaches the cutoff.
+
+   Parameters
+   ----------
+   evaders
+       (n, EVADER) rows of `Team.as_rows`; headings and turn rates are not used.
+   pursuit
+       A pursuer at a point. It flies to each evader's exact position; `first_radius`, its reach,
+       counts for the last capture only.
+   cutoff
+       Time at which a bound is high enough.
+   sequences
+       (m, n) orders of capture.
+   headings
+       (m, n) radians, by evader; modified in place.
+   bounds
+       (m,) last captures at the best headings that were met; modified in place.
+   flights
+       (n, FLIGHT) scratch. */
+struct covey_raise_lower_bounds_words {
+    double *evaders; int64_t evaders_0, evaders_1;
+    double pursuit_center_x;
+    double pursuit_center_y;
+    double pursuit_first_radius;
+    double pursuit_later_radius;
+    double pursuit_speed;
+    double cutoff;
+    int64_t *sequences; int64_t sequences_0, sequences_1;
+    double *headings; int64_t headings_0, headings_1;
+    double *bounds; int64_t bounds_0;
+    double *flights; int64_t flights_0, flights_1;
+};
+int64_t covey_raise_lower_bounds(const struct covey_raise_lower_bounds_words *words, void *results);
+
 /* Improve an iterate, from its own turns and from other initial guesses.
 
    Parameters
@@ -1008,6 +1272,66 @@ struct covey_set_upper_bounds_words {
 };
 int64_t covey_set_upper_bounds(const struct covey_set_upper_bounds_words *words, void *results);
 
+/* Return whether every play, with captures as late as the pursuer likes, ends after the target.
+
+   The answer is no, too, where that can't be shown with intervals above the finest, or with the
+   most nodes. Then a play that may end before is left behind: its sequence in `search.worst`, and
+   the times of the captures that are put off in `search.levels.disks`, from the second row on.
+
+   Parameters
+   ----------
+   problem
+       The evaders (n) and the pursuit; the objective is the last capture.
+   tree
+       Of n evaders.
+   search
+       Arrays for n evaders; modified in place.
+   workspace
+       With room for n evaders; modified in place. */
+struct covey_survives_delays_words {
+    double *problem_evaders; int64_t problem_evaders_0, problem_evaders_1; /* (n, EVADER) of the living */
+    double problem_pursuit_center_x;
+    double problem_pursuit_center_y;
+    double problem_pursuit_first_radius;
+    double problem_pursuit_later_radius;
+    double problem_pursuit_speed;
+    int64_t problem_objective_total; /* the sum of all capture times; else the last capture */
+    int64_t problem_objective_expected; /* the mean over the drawn sequences; else the minimum over all sequences */
+    int64_t *problem_objective_draws_used; int64_t problem_objective_draws_used_0; /* (1,) how many rows are in use */
+    int64_t *problem_objective_draws_sequences; int64_t problem_objective_draws_sequences_0, problem_objective_draws_sequences_1; /* (K, n) */
+    double *problem_objective_draws_probabilities; int64_t problem_objective_draws_probabilities_0; /* (K,) */
+    double *tree_turns; int64_t tree_turns_0; /* (sizes[0],) signed turns, radians in [-π, π] */
+    int64_t tree_depth; /* 0: the turns of an open-loop plan; at most n - 1 */
+    int64_t *tree_sizes; int64_t tree_sizes_0; /* (n + 1,) turns in a subtree after k captures */
+    double search_target; /* the time after which every play is to end */
+    double search_finest; /* drift of the shortest intervals of the first capture, a length */
+    double *search_levels_evaders; int64_t search_levels_evaders_0, search_levels_evaders_1; /* (n * n, EVADER) row level * n + rank */
+    double *search_levels_paths; int64_t search_levels_paths_0, search_levels_paths_1; /* (n * n, PATH) */
+    int64_t *search_levels_numbers; int64_t search_levels_numbers_0, search_levels_numbers_1; /* (n, n) the evaders' numbers, ascending */
+    double *search_levels_disks; int64_t search_levels_disks_0, search_levels_disks_1; /* (n, 4) */
+    int64_t *search_levels_counters; int64_t search_levels_counters_0, search_levels_counters_1; /* (n, 2) */
+    int64_t *search_levels_sequence; int64_t search_levels_sequence_0; /* (n,) evaders captured so far */
+    double *search_intervals; int64_t search_intervals_0, search_intervals_1; /* (n, INTERVAL) of each level, see above */
+    int64_t *search_worst; int64_t search_worst_0; /* (n,) of the play that may end before the target; modified in place */
+    int64_t *search_counters; int64_t search_counters_0; /* (3,) nodes visited; the most that may be; captures put off in that play */
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
+};
+struct covey_survives_delays_results {
+    int64_t value_0;
+};
+int64_t covey_survives_delays(const struct covey_survives_delays_words *words, struct covey_survives_delays_results *results);
+
 /* Sweep the values (balances, openings) in four directions; return the largest change. */
 struct covey_sweep_words {
     double *values; int64_t values_0, values_1;
@@ -1023,6 +1347,50 @@ struct covey_sweep_results {
     double value_0;
 };
 int64_t covey_sweep(const struct covey_sweep_words *words, struct covey_sweep_results *results);
+
+/* Return the value of a contingent plan if it is below `bound`, else `bound`.
+
+   Parameters are those of `tree_minimum`; the workspace has room for n evaders. */
+struct covey_tree_value_words {
+    double *problem_evaders; int64_t problem_evaders_0, problem_evaders_1; /* (n, EVADER) of the living */
+    double problem_pursuit_center_x;
+    double problem_pursuit_center_y;
+    double problem_pursuit_first_radius;
+    double problem_pursuit_later_radius;
+    double problem_pursuit_speed;
+    int64_t problem_objective_total; /* the sum of all capture times; else the last capture */
+    int64_t problem_objective_expected; /* the mean over the drawn sequences; else the minimum over all sequences */
+    int64_t *problem_objective_draws_used; int64_t problem_objective_draws_used_0; /* (1,) how many rows are in use */
+    int64_t *problem_objective_draws_sequences; int64_t problem_objective_draws_sequences_0, problem_objective_draws_sequences_1; /* (K, n) */
+    double *problem_objective_draws_probabilities; int64_t problem_objective_draws_probabilities_0; /* (K,) */
+    double *tree_turns; int64_t tree_turns_0; /* (sizes[0],) signed turns, radians in [-π, π] */
+    int64_t tree_depth; /* 0: the turns of an open-loop plan; at most n - 1 */
+    int64_t *tree_sizes; int64_t tree_sizes_0; /* (n + 1,) turns in a subtree after k captures */
+    double bound;
+    int64_t *sequence; int64_t sequence_0;
+    double *levels_evaders; int64_t levels_evaders_0, levels_evaders_1; /* (n * n, EVADER) row level * n + rank */
+    double *levels_paths; int64_t levels_paths_0, levels_paths_1; /* (n * n, PATH) */
+    int64_t *levels_numbers; int64_t levels_numbers_0, levels_numbers_1; /* (n, n) the evaders' numbers, ascending */
+    double *levels_disks; int64_t levels_disks_0, levels_disks_1; /* (n, 4) */
+    int64_t *levels_counters; int64_t levels_counters_0, levels_counters_1; /* (n, 2) */
+    int64_t *levels_sequence; int64_t levels_sequence_0; /* (n,) evaders captured so far */
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
+};
+struct covey_tree_value_results {
+    double value_0;
+};
+int64_t covey_tree_value(const struct covey_tree_value_words *words, struct covey_tree_value_results *results);
 
 /* Write the state, the plan that is announced and its guarantee to the log's next row.
 

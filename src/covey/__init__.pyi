@@ -14,6 +14,8 @@ from .model import PursuerDisk as PursuerDisk
 from .model import Team as Team
 from .model import TotalSurvival as TotalSurvival
 from .model import turns_to as turns_to
+from .planning import ContingentPlan as ContingentPlan
+from .planning import DelayedGuarantee as DelayedGuarantee
 from .planning import Guarantee as Guarantee
 from .planning import Plan as Plan
 from .planning import PlanStatus as PlanStatus
@@ -21,9 +23,12 @@ from .planning import capture_times as capture_times
 from .planning import expected_survival as expected_survival
 from .planning import guaranteed_survival as guaranteed_survival
 from .planning import plan as plan
+from .planning import plan_contingent as plan_contingent
+from .players import AssuredPursuer as AssuredPursuer
 from .players import BestSequence as BestSequence
 from .players import CommittedPursuer as CommittedPursuer
 from .players import ConstantHeading as ConstantHeading
+from .players import Contingent as Contingent
 from .players import FixedSequence as FixedSequence
 from .players import FlyingPursuer as FlyingPursuer
 from .players import HoldCourse as HoldCourse

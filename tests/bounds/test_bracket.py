@@ -10,7 +10,13 @@ import pytest
 
 import covey
 from covey.bounds.polygon_bound import last_capture_bound
-from random_games import random_game
+from frames import ELSEWHERE
+from random_games import random_game, time_rounding
+
+
+def assert_in_order(found, team, disk):
+    """The lower end isn't above the upper end, but for what rounding does to both."""
+    assert found.lower <= found.upper + 2.0 * time_rounding(team, disk, found.upper)
 
 
 def agile_game(generator, count, speed=0.25, **disk):
@@ -20,19 +26,20 @@ def agile_game(generator, count, speed=0.25, **disk):
 
 
 @pytest.mark.parametrize(("radius", "reach"), [(0.0, 0.0), (0.3, 0.0), (0.0, 0.1), (2.0, 0.0)])
-def test_one_agile_evader_leaves_no_gap(radius, reach):
+def test_one_agile_evader_leaves_no_gap(frame, radius, reach):
     team = covey.Team([[0.6, -0.8]], [0.3], 0.25, math.inf)
-    found = covey.bracket(team, covey.PursuerDisk((0, 0), radius, 1.0, reach))
-    assert found.lower == pytest.approx(max(1.0 - radius - reach, 0.0) / 0.75, rel=1e-9, abs=1e-9)
-    assert found.upper == pytest.approx(found.lower, rel=1e-9, abs=1e-9)
+    disk = covey.PursuerDisk((0, 0), radius, 1.0, reach)
+    found = covey.bracket(*frame.game(team, disk))
+    time = frame.time * max(1.0 - radius - reach, 0.0) / 0.75
+    assert (found.lower, found.upper) == pytest.approx((time, time), rel=1e-9, abs=1e-9)
 
 
-def test_two_on_opposite_sides_leave_no_gap():
+def test_two_on_opposite_sides_leave_no_gap(frame):
     """Both flee straight away, and the pursuer takes the nearer one first."""
     team = covey.Team([[0.5, 0.0], [-1.0, 0.0]], [0.0, 0.0], 0.25, math.inf)
-    found = covey.bracket(team, covey.PursuerDisk())
+    found = covey.bracket(*frame.game(team, covey.PursuerDisk()))
     time = 0.5 / 0.75
-    time = (time + 0.5 + 0.25 * time + 1.0) / 0.75
+    time = frame.time * (time + 0.5 + 0.25 * time + 1.0) / 0.75
     assert (found.lower, found.upper) == pytest.approx((time, time), rel=1e-9)
     assert found.sequence == (0, 1)
 
@@ -49,7 +56,7 @@ def test_is_the_least_over_all_sequences(seed):
     found = covey.bracket(team, disk)
     assert found.upper == pytest.approx(min(values.values()), rel=1e-8)
     assert values[found.sequence] <= found.upper
-    assert found.lower <= found.upper
+    assert_in_order(found, team, disk)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -57,11 +64,24 @@ def test_is_the_least_over_all_sequences(seed):
 def test_contains_the_bracket_of_what_is_harder_for_the_team(seed, count):
     """A turn limit, a disk and a reach lower both ends, or leave them."""
     team, disk = agile_game(np.random.default_rng(seed), count, radius=0.1, capture_radius=0.02)
-    free = covey.bracket(team, covey.PursuerDisk())
+    point = covey.PursuerDisk(disk.center)
+    free = covey.bracket(team, point)
     slow = covey.Team(team.positions, team.headings, 0.25, 1.0)
     harder = covey.bracket(slow, disk)
-    assert harder.lower <= harder.upper <= free.upper
-    assert covey.bracket(slow, covey.PursuerDisk()).upper == free.upper
+    assert_in_order(harder, slow, disk)
+    assert harder.upper <= free.upper
+    assert covey.bracket(slow, point).upper == free.upper
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_both_ends_are_the_same_in_another_frame(seed):
+    team, disk = agile_game(
+        np.random.default_rng(seed), 1 + seed, radius=0.1 * seed, capture_radius=0.02
+    )
+    found, there = covey.bracket(team, disk), covey.bracket(*ELSEWHERE.game(team, disk))
+    wanted = ELSEWHERE.time * np.array([found.lower, found.upper])
+    assert (there.lower, there.upper) == pytest.approx(wanted, rel=1e-8)
+    assert there.sequence == found.sequence
 
 
 def test_bound_exposes_a_local_maximum():
@@ -127,6 +147,11 @@ def test_an_evader_almost_as_fast_as_the_pursuer_is_bounded_too():
     team = covey.Team([[0.5, 0.1], [-0.3, 0.4]], [0.0, 0.0], 1.0 - 1e-9, math.inf)
     found = covey.bracket(team, covey.PursuerDisk())
     assert found.lower <= found.upper < math.inf
+
+
+def test_an_evader_almost_as_fast_and_where_the_pursuer_is_is_captured_at_once():
+    team = covey.Team([[0.0, 0.0]], [0.0], 1.0 - 1e-9, math.inf)
+    assert covey.bracket(team, covey.PursuerDisk()).upper == 0.0
 
 
 def test_rejects_an_evader_as_fast_as_the_pursuer():

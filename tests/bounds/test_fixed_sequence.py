@@ -10,7 +10,13 @@ import pytest
 from scipy.optimize import brentq, differential_evolution
 
 import covey
-from covey.kernels.maximum.fixed_sequence import latest_in_sequence, new_grids
+from covey.kernels.maximum.fixed_sequence import (
+    best_on_grid,
+    latest_in_sequence,
+    lay_grid,
+    new_grid,
+    new_grids,
+)
 from covey.model.angles import wrap_angle
 from covey.planning.guarantee import pursuit_of
 from random_games import fleeing, random_game
@@ -21,23 +27,28 @@ def at_once(team):
     return covey.Team(team.positions, team.headings, team.speeds, math.inf)
 
 
-def test_one_evader_flees_straight():
-    plan = covey.plan_for_sequence(fleeing(1.2), covey.PursuerDisk((0, 0), 0.1, 1.0, 0.05), [0])
-    assert plan.survival_time == pytest.approx((1.2 - 0.1 - 0.05) / 0.75, rel=1e-15)
+def test_one_evader_flees_straight(frame):
+    disk = covey.PursuerDisk((0, 0), 0.1, 1.0, 0.05)
+    plan = covey.plan_for_sequence(*frame.game(fleeing(1.2), disk), [0])
+    assert plan.survival_time == pytest.approx(frame.time * (1.2 - 0.1 - 0.05) / 0.75, rel=1e-14)
     assert plan.turns.tolist() == [0.0]
     assert plan.status.name == "CONVERGED"
 
 
-def test_one_that_stands_between_dodges_to_the_side_that_leads_away_from_the_next():
-    team = covey.Team([[1.0, 0.02], [2.0, 0.0]], [0.0, 0.0], 0.25, math.inf)
-    up = covey.plan_for_sequence(team, covey.PursuerDisk(), [0, 1])
-    mirrored = covey.Team(team.positions * [1, -1], team.headings, 0.25, math.inf)
-    down = covey.plan_for_sequence(mirrored, covey.PursuerDisk(), [0, 1])
-    assert up.goal_headings[0] > 0.5
-    assert down.goal_headings[0] == pytest.approx(-up.goal_headings[0], abs=1e-6)
+def test_one_that_stands_between_dodges_to_the_side_that_leads_away_from_the_next(frame):
+    places = np.array([[1.0, 0.02], [2.0, 0.0]])
+    team, mirrored = (
+        frame.team(covey.Team(each, [0.0, 0.0], 0.25, math.inf))
+        for each in (places, places * [1, -1])
+    )
+    disk = frame.disk(covey.PursuerDisk())
+    up = covey.plan_for_sequence(team, disk, [0, 1])
+    down = covey.plan_for_sequence(mirrored, disk, [0, 1])
+    assert up.turns[0] > 0.5
+    assert down.turns[0] == pytest.approx(-up.turns[0], abs=1e-6)
     # Dodging downward is a local maximum too, and a lower one.
     other = up.turns * [-1, 1]
-    assert covey.capture_times(team, covey.PursuerDisk(), other, [0, 1])[-1] < up.survival_time
+    assert covey.capture_times(team, disk, other, [0, 1])[-1] < up.survival_time
 
 
 def test_the_last_flees_straight_from_the_capture_before_its_own():
@@ -103,6 +114,19 @@ def test_unlimited_turns_are_the_root_near_which_finer_and_finer_grids_end(count
         assert plan.survival_time == pytest.approx(times[-1], rel=1e-13)
         assert np.abs(wrap_angle(plan.turns - refined)).max() < 1e-6
         assert misalignment(team, disk, plan) < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("center", "on_border"), [(0.4, True), (-0.4, True), (0.3, False), (-0.3, False)]
+)
+def test_a_search_does_not_narrow_while_the_best_turn_is_on_either_border(center, on_border):
+    """Straight on is best; the nine turns of the grid are 0.1 apart."""
+    team, disk = covey.Team([[1.0, 0.0]], [0.0]), covey.PursuerDisk()
+    grid, turns = new_grid(team.as_rows(), 9), np.zeros(1)
+    lay_grid(grid, np.array([center]), 0.4, disk.speed)
+    found = best_on_grid(grid, pursuit_of(disk), np.zeros(1, np.int64), turns)
+    assert turns == pytest.approx([0.0], abs=1e-12)
+    assert found == on_border
 
 
 def misalignment(team, disk, plan):

@@ -63,6 +63,12 @@ def test_depends_on_shape_and_scale_alone(value):
     assert value.at(3.0 * places) == pytest.approx(3.0 * value.at(places), rel=1e-9)
 
 
+def test_is_the_value_of_the_game_wherever_it_is_played(value, frame):
+    for places in pairs(5, close=False):
+        team, disk = frame.game(*game(value, places))
+        assert value.of(team, disk) == pytest.approx(frame.time * value.at(places), rel=1e-9)
+
+
 def test_equal_evaders_can_be_swapped():
     value = solve_two_evaders((0.4, 0.4), cells=32)
     places = pairs(20, close=True)

@@ -47,6 +47,34 @@ def printed(capsys, *arguments):
     return capsys.readouterr().out
 
 
+def test_a_contingent_plan_is_printed_with_its_answers(scenario, capsys):
+    tree = scenario.plan_contingent()
+    text = printed(capsys, "plan", "three.toml", "--contingent")
+    for each in (tree.survival_time, tree.with_delays.survival_time, scenario.bracket().upper):
+        assert f"{each:.6g}" in text
+    for i in tree.evaders:
+        for heading in tree.after(i).goal_headings.tolist():
+            assert f"{math.degrees(heading):+.1f}" in text
+    told = json.loads(printed(capsys, "plan", "three.toml", "--contingent", "--json"))
+    assert told["survival_time"] == tree.survival_time
+    assert told["after"]["0"]["after"]["2"]["turns"] == tree.after(0).after(2).turns.tolist()
+    shallow = json.loads(
+        printed(capsys, "plan", "three.toml", "--contingent", "--depth", "1", "--json")
+    )
+    assert shallow["depth"] == 1
+    assert "after" not in shallow["after"]["1"]
+
+
+def test_what_a_contingent_plan_is_not_for_is_said(scenario, tmp_path, capsys):
+    assert main(["plan", "three.toml", "--depth", "1"]) == 2
+    assert "--depth: expected --contingent" in capsys.readouterr().err
+    (tmp_path / "sum.toml").write_text(THREE + 'objective = "total-survival"\n')
+    assert main(["plan", "sum.toml", "--contingent"]) == 2
+    assert "about the last capture, got the objective total-survival" in " ".join(
+        capsys.readouterr().err.split()
+    )
+
+
 def test_plan_prints_guarantee_headings_sequences_and_how_the_search_ended(scenario, capsys):
     plan, text = scenario.plan(), printed(capsys, "plan", "three.toml")
     upper = scenario.bracket().upper
@@ -169,6 +197,7 @@ def test_a_file_comes_before_an_example_of_its_name(scenario, tmp_path, capsys):
         ["game.parquet", "-o", "picture.png"],
         ["game.parquet", "-o", "./picture.png", "--view", "game"],
         ["three.toml", "-o", "picture.PNG", "--view", "plan"],
+        ["three.toml", "-o", "picture.png", "--view", "tree"],
     ],
 )
 def test_draw_saves_a_picture(record, arguments, capsys):

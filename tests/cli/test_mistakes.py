@@ -130,7 +130,7 @@ def test_a_mistake_is_told_in_one_message(line, message, capsys):
         (
             "draw one.toml -o a.png --view gaem",
             'Invalid value "gaem" for --view. Choose from: "snapshots", "game", "plan", '
-            '"animation". Did you mean "game"?',
+            '"tree", "animation". Did you mean "game"?',
             "covey draw --help",
         ),
     ],

@@ -111,9 +111,11 @@ def test_the_paper_is_reproduced_with_a_report(tmp_path, capsys):
     assert main(["reproduce", "--output", str(tmp_path), "--starts", "6", "--workers", "1"]) == 0
     there = {path.name for path in tmp_path.iterdir()}
     figures = {f"fig{k}.{ending}" for k in range(1, 6) for ending in ("png", "svg", "pdf")}
-    assert figures | {"report.md", "fig3.gif", "fig4.csv", "fig5.csv", "fig4", "fig5"} <= there
+    folders = {"fig4", "fig4-assured", "fig5"}
+    assert figures | folders | {"report.md", "fig3.gif", "fig4.csv", "fig5.csv"} <= there
     report = (tmp_path / "report.md").read_text()
-    assert "216 games from 6 starts" in report
+    assert "240 games from 6 starts" in report
+    assert report.count("| assured | 6 |") == 2
     for claim in ("200 of 500", "Larger teams gain more", "Where the definitions differ"):
         assert claim in report
     assert report.count("**holds") + report.count("**differs**") == 8

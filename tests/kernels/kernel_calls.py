@@ -1,4 +1,7 @@
-"""The kernels, called with teams and disks: the one place where tests know their arguments."""
+"""The kernels, called with teams and disks: the one place where tests know their arguments.
+
+As in covey itself, the origin is the disk's centre.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ from covey.kernels.maximum.values import minimum_over_sequences
 from covey.kernels.minimum.greedy_sequence import greedy_sequence, nearest_first
 from covey.model import PursuerDisk
 from covey.planning import guarantee
-from covey.planning.guarantee import pursuit_of
+from covey.planning.guarantee import about_center, pursuit_of
 from covey.planning.workspace import workspace
 
 
@@ -42,6 +45,7 @@ def motion(team, turns, i, time):
 
 def least(team, disk, turns, bound=math.inf, sequence=None, total=False):
     """The least time below `bound`, else `bound`; the `sequence` that needs it, else as given."""
+    team, disk = about_center(team, disk)
     n = len(team)
     found = np.zeros(n, np.int64) if sequence is None else np.array(sequence, np.int64)
     checked, scratch = np.array(turns, float), workspace(n, total)
@@ -58,6 +62,7 @@ def least_sum(team, disk, turns, bound=math.inf, sequence=None):
 
 def greedy(team, disk, turns):
     """A sequence that is short at first sight, and its capture times."""
+    team, disk = about_center(team, disk)
     order, times = np.empty(len(team), np.int64), np.empty(len(team))
     last = greedy_sequence(paths_of(team, turns, disk.speed), pursuit_of(disk), order, times)
     assert last == times[-1]
@@ -66,12 +71,14 @@ def greedy(team, disk, turns):
 
 def nearest(team, disk, turns):
     """The last capture where whoever can be captured soonest is next."""
+    team, disk = about_center(team, disk)
     order, times = np.empty(len(team), np.int64), np.empty(len(team))
     return nearest_first(paths_of(team, turns, disk.speed), pursuit_of(disk), -1, order, times)
 
 
 def times_of_sequences(team, disk, sequences):
     """A function of the turns, (M,) times of the last capture for M given sequences: quick f_s."""
+    team, disk = about_center(team, disk)
     orders = [np.array(sequence, np.int64) for sequence in sequences]
     pursuit, times = pursuit_of(disk), np.empty(len(team))
 

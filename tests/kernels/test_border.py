@@ -16,6 +16,7 @@ SCALARS = {"float", "int", "bool", "None"}
 AS_PYTHON = {
     "contains",
     "elapsed_value",
+    "first_contact",
     "forget",
     "insert",
     "is_better",

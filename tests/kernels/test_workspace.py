@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import gc
+import subprocess
+import sys
 import tracemalloc
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,7 +20,7 @@ from covey.kernels.maximum.values import minimum_over_sequences
 from covey.kernels.maximum.working_set import new_working_set
 from covey.model import LastCapture, TotalSurvival
 from covey.planning.compiled_objective import compiled_objective
-from covey.planning.guarantee import pursuit_of
+from covey.planning.guarantee import about_center, pursuit_of
 from covey.planning.workspace import LARGEST_KEPT, SMALL, workspace
 from random_games import random_game
 
@@ -40,7 +43,7 @@ def test_a_workspace_holds_all_scratch_of_its_size(size, total):
 
 
 def test_a_smaller_team_fits_into_the_workspace_of_a_larger_one():
-    team, disk = random_game(np.random.default_rng(0), 4)
+    team, disk = about_center(*random_game(np.random.default_rng(0), 4))
     turns = np.full(4, 0.3)
     rows, sequence = team.as_rows(), np.empty(4, np.int64)
     time = minimum_over_sequences(
@@ -92,6 +95,39 @@ def test_plans_from_eight_threads_are_those_of_one():
 
     with ThreadPoolExecutor(8) as executor:
         assert list(executor.map(told, games)) == list(map(told, games))
+
+
+FIRST_CALLS = """
+from concurrent.futures import ThreadPoolExecutor
+from threading import Barrier
+import numpy as np
+import covey
+from random_games import random_game
+
+team, disk = random_game(np.random.default_rng(4), 9)
+together = Barrier(8)
+
+def plan(_):
+    together.wait()
+    plan = covey.plan(team, disk, starts=8)
+    return plan.turns.tolist(), plan.survival_time, plan.critical_sequences
+
+with ThreadPoolExecutor(8) as executor:
+    print({repr(each) for each in executor.map(plan, range(8))})
+"""
+
+
+def test_the_first_plans_of_a_process_may_come_from_eight_threads():
+    plan = covey.plan(*random_game(np.random.default_rng(4), 9), starts=8)
+    alone = plan.turns.tolist(), plan.survival_time, plan.critical_sequences
+    done = subprocess.run(
+        [sys.executable, "-c", FIRST_CALLS],
+        cwd=Path(__file__).parents[1],  # has random_games
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert (done.stdout, done.stderr) == (f"{ {repr(alone)} }\n", "")
 
 
 def test_calls_keep_no_memory():

@@ -24,6 +24,12 @@ TEAMS = {
     "complex": ({"positions": np.zeros((2, 2), complex)}, "positions: expected numbers", "0.j"),
     "many headings": ({"headings": [0, 0, 0]}, "headings: expected one number.* 2", r"\(3,\)"),
     "heading a word": ({"headings": "away"}, "headings: expected num", "'away'.*headings_away"),
+    "far place": (
+        {"positions": [(0, 0), (1, 1e60)]},
+        "positions: .*up to 1e.50",
+        r"\[1, 1\] = 1e.60",
+    ),
+    "many turns": ({"headings": [0, 1e16]}, r"headings: .*up to 1.001e\+09", r"\[1\] = 1e\+16"),
     "nan heading": ({"headings": [0, math.nan]}, "headings: .*finite", r"\[1\] = nan"),
     "infinite heading": ({"headings": [math.inf, 0]}, "headings: .*finite", r"\[0\] = inf"),
     "negative speed": ({"speeds": [0.1, -0.1]}, "speeds: .*>= 0", r"speeds\[1\] = -0.1"),
@@ -55,6 +61,8 @@ DISKS = {
     "no speed": ({"speed": 0.0}, "speed: .*> 0", "0.0"),
     "negative speed": ({"speed": -1.0}, "speed: .*> 0", "-1.0"),
     "infinite speed": ({"speed": math.inf}, "speed: .*finite", "inf"),
+    "large speed": ({"speed": 1e60}, r"speed: .*> 0 and <= 1e\+50", r"1e\+60"),
+    "tiny speed": ({"speed": 1e-60}, "speed: .*>= 1e-50", "1e-60"),
     "negative reach": ({"capture_radius": -1e-9}, "capture_radius: .*>= 0", "-1e-09"),
     "nan reach": ({"capture_radius": math.nan}, "capture_radius: .*finite", "nan"),
 }
@@ -83,6 +91,17 @@ def test_disk(case):
 def test_goal_headings(goals, got):
     with pytest.raises(covey.InputError, match=f"^goal_headings: expected.*got.*{got}"):
         covey.turns_to(covey.Team(TWO, [0.0, 0.0]), goals)
+
+
+@pytest.mark.parametrize(
+    "value",
+    ["x" * 5000, 10**5000, [0.0] * 5000, [[0.0], 0.0] * 5000],
+    ids=["text", "int", "1", "2"],
+)
+def test_a_long_value_is_shown_shortened(value):
+    with pytest.raises(covey.InputError, match=r"^radius: expected ") as caught:
+        covey.PursuerDisk(radius=value)
+    assert len(str(caught.value)) < 200
 
 
 def test_an_input_error_is_a_value_error():

@@ -55,12 +55,12 @@ def test_the_way_to_a_goal_ends_there():
     assert points == pytest.approx(np.array([[1, 2], [2.5, 4], [4, 6], [4, 6]]), rel=1e-15)
 
 
-@pytest.mark.parametrize("speed", [0.0, 0.5, np.nextafter(2.0, 0.0)])
+@pytest.mark.parametrize("speed", [0.0, 0.5, 2.0 * (1.0 - 2e-12)])
 def test_slower_evaders_are_fine(speed):
     covey.PursuerDisk(speed=2.0).require_faster_than(covey.Team([(0, 0)], [0], speed))
 
 
-@pytest.mark.parametrize("speed", [2.0, 3.0])
+@pytest.mark.parametrize("speed", [np.nextafter(2.0, 0.0), 2.0, 3.0])
 def test_an_evader_as_fast_as_the_pursuer_is_named(speed):
     team = covey.Team(np.zeros((3, 2)), np.zeros(3), [0.1, speed, 0.1])
     with pytest.raises(

@@ -55,7 +55,10 @@ def test_a_guarantee_does_not_depend_on_where_the_origin_is(by):
     for _ in range(20):
         team, disk = random_game(generator, 4, radius=0.125)
         team = covey.Team(np.round(team.positions * 64.0) / 64.0, team.headings)
-        there = covey.Team(team.positions + by, team.headings), covey.PursuerDisk(by, disk.radius)
+        there = (
+            covey.Team(team.positions + by, team.headings),
+            covey.PursuerDisk(disk.center + by, disk.radius),
+        )
         turns = generator.uniform(-3.0, 3.0, 4)
         here = covey.guaranteed_survival(team, disk, turns)
         assert here == covey.guaranteed_survival(*there, turns)

@@ -41,6 +41,7 @@ BAD_OPTIONS = {
     "no start": ({"starts": 0}, "starts: .*>= 1", "0"),
     "half a start": ({"starts": 1.5}, "starts: .*whole number", "1.5"),
     "many starts": ({"starts": [1, 2]}, "starts: .*whole number", r"\[1, 2\]"),
+    "more than memory": ({"starts": 2**31}, "starts: .*<= 100000", "2147483648"),
     "yes": ({"starts": True}, "starts: .*whole number", "True"),
     "negative seed": ({"seed": -1}, "seed: .*>= 0", "-1"),
     "half a seed": ({"seed": 0.5}, "seed: .*whole number", "0.5"),

@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import covey
+from frames import Frame
 from random_games import extent, games, random_game, random_turns, time_rounding
 
 SOLVED = 1e-8
@@ -32,49 +33,17 @@ def assert_same(game, other):
     assert found == pytest.approx(wanted, rel=0.0, abs=rounding)
 
 
-def moved(team, disk, offset):
-    return (
-        covey.Team(team.positions + offset, team.headings, team.speeds, team.turn_rates),
-        covey.PursuerDisk(disk.center + offset, disk.radius, disk.speed, disk.capture_radius),
-    )
-
-
-def in_units(team, disk, length, time):
-    """The same game, with lengths and times counted in smaller units."""
-    return (
-        covey.Team(
-            team.positions * length,
-            team.headings,
-            team.speeds * (length / time),
-            team.turn_rates / time,
-        ),
-        covey.PursuerDisk(
-            disk.center * length,
-            disk.radius * length,
-            disk.speed * (length / time),
-            disk.capture_radius * length,
-        ),
-    )
-
-
 @given(games(most=3, fastest=0.7), _offsets, _offsets)
 def test_translation(game, x, y):
     team, disk, turns = game
-    offset = extent(team, disk) * np.array([x, y])
-    assert_same(game, (*moved(team, disk, offset), turns))
+    frame = Frame(offset=extent(team, disk) * np.array([x, y]))
+    assert_same(game, (*frame.game(team, disk), turns))
 
 
 @given(games(most=3, fastest=0.7), _angles)
 def test_rotation(game, angle):
     team, disk, turns = game
-    cosine, sine = math.cos(angle), math.sin(angle)
-    rotation = np.array([[cosine, sine], [-sine, cosine]])
-    rotated = covey.Team(
-        team.positions @ rotation, team.headings + angle, team.speeds, team.turn_rates
-    )
-    center = disk.center @ rotation
-    there = covey.PursuerDisk(center, disk.radius, disk.speed, disk.capture_radius)
-    assert_same(game, (rotated, there, turns))
+    assert_same(game, (*Frame(angle).game(team, disk), turns))
 
 
 @given(games(most=4))
@@ -105,7 +74,7 @@ def test_numbering(game, random):
 @given(games(most=3, fastest=0.7), st.floats(0.1, 10.0), st.floats(0.1, 10.0))
 def test_units(game, length, time):
     team, disk, turns = game
-    other_team, other_disk = in_units(team, disk, length, time)
+    other_team, other_disk = Frame(length=length, time=time).game(team, disk)
     wanted = time * times_of(team, disk, turns)
     rounding = 2.0 * time_rounding(other_team, other_disk, wanted.max())
     assert times_of(other_team, other_disk, turns) == pytest.approx(wanted, rel=0.0, abs=rounding)
@@ -115,7 +84,7 @@ def test_units(game, length, time):
 def test_units_that_are_powers_of_two_change_no_bit(game, length, time):
     """So no constant in the code has a unit."""
     team, disk, turns = game
-    other = in_units(team, disk, 2.0**length, 2.0**time)
+    other = Frame(length=2.0**length, time=2.0**time).game(team, disk)
     wanted = 2.0**time * times_of(team, disk, turns)
     assert times_of(*other, turns).tolist() == wanted.tolist()
 
@@ -136,7 +105,8 @@ def test_an_ascent_in_a_mirror_is_the_ascent_mirrored(seed):
     turns = random_turns(generator, 3)
     plan = covey.plan(team, disk, starts=1, warm_start=turns)
     mirrored = covey.Team(team.positions * [1.0, -1.0], -team.headings)
-    other = covey.plan(mirrored, disk, starts=1, warm_start=-turns)
+    there = covey.PursuerDisk(disk.center * [1.0, -1.0])
+    other = covey.plan(mirrored, there, starts=1, warm_start=-turns)
     assert other.survival_time == pytest.approx(plan.survival_time, rel=1e-12, abs=0.0)
 
 
@@ -147,7 +117,8 @@ def test_a_plan_is_worth_the_same_in_any_unit(time, length):
     for count in (1, 2, 3, 4) * 4:
         team, disk = random_game(generator, count)
         plan = covey.plan(team, disk, starts=4)
-        other = covey.plan(*in_units(team, disk, 2.0**length, 2.0**time), starts=4)
+        frame = Frame(length=2.0**length, time=2.0**time)
+        other = covey.plan(*frame.game(team, disk), starts=4)
         assert other.survival_time == pytest.approx(
             2.0**time * plan.survival_time, rel=SOLVED, abs=0.0
         )

@@ -26,9 +26,11 @@ DAYS = {
 """Calls that take far longer than any test."""
 
 PROGRAM = """
-import sys, threading
+import signal
 import numpy as np
 import covey
+
+signal.signal(signal.SIGINT, signal.default_int_handler)  # also where a shell's background has none
 
 def team(n):
     generator = np.random.default_rng(1)
@@ -51,11 +53,14 @@ def test_an_interrupt_ends_a_long_call(call):
     with subprocess.Popen(
         [sys.executable, "-c", PROGRAM.format(call=call)], stdout=subprocess.PIPE, text=True
     ) as process:
-        assert process.stdout.readline() == "ready\n"
-        with pytest.raises(subprocess.TimeoutExpired):
-            process.wait(0.5)
-        process.send_signal(signal.SIGINT)
-        output, _ = process.communicate(timeout=60.0)
+        try:
+            assert process.stdout.readline() == "ready\n"
+            with pytest.raises(subprocess.TimeoutExpired):
+                process.wait(0.5)
+            process.send_signal(signal.SIGINT)
+            output, _ = process.communicate(timeout=60.0)
+        finally:
+            process.kill()
     assert (output, process.returncode) == ("interrupted\n", 0)
 
 

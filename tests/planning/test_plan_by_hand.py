@@ -9,6 +9,7 @@ import pytest
 from scipy.optimize import brentq
 
 import covey
+from covey.model.angles import away_from
 from kernels import reference_game
 from random_games import random_game, random_turns
 
@@ -34,16 +35,18 @@ def assert_valid(plan, team, disk):
 @pytest.mark.parametrize("speed", [0.05, 0.25, 0.9])
 @pytest.mark.parametrize(("radius", "reach"), [(0.0, 0.0), (0.3, 0.0), (0.2, 0.1)])
 @pytest.mark.parametrize("heading", [0.7, -2.0, 0.7 + math.pi])
-def test_one_agile_evader_flees_straight_away(speed, radius, reach, heading):
+def test_one_agile_evader_flees_straight_away(frame, speed, radius, reach, heading):
     bearing = 0.7
-    team = covey.Team([(2 * math.cos(bearing), 2 * math.sin(bearing))], [heading], speed, math.inf)
-    disk = covey.PursuerDisk((0.0, 0.0), radius, 1.0, reach)
+    team, disk = frame.game(
+        covey.Team([(2 * math.cos(bearing), 2 * math.sin(bearing))], [heading], speed, math.inf),
+        covey.PursuerDisk((0.0, 0.0), radius, 1.0, reach),
+    )
     plan = covey.plan(team, disk)
     assert_valid(plan, team, disk)
     assert plan.status is covey.PlanStatus.CONVERGED
-    wanted = (2.0 - radius - reach) / (1.0 - speed)
+    wanted = frame.time * (2.0 - radius - reach) / (1.0 - speed)
     assert plan.survival_time == pytest.approx(wanted, rel=SOLVED, abs=0.0)
-    assert math.cos(plan.goal_headings[0] - bearing) == pytest.approx(1.0, abs=1e-6)
+    assert math.cos(plan.goal_headings[0] - frame.angle - bearing) == pytest.approx(1.0, abs=1e-6)
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -80,24 +83,27 @@ def test_one_evader_turns_until_it_flies_straight_away_from_where_the_disk_is(se
     assert plan.survival_time == pytest.approx(best, rel=SOLVED, abs=0.0)
 
 
-def test_two_in_line_flee_one_after_the_other():
+def test_two_in_line_flee_one_after_the_other(frame):
     """Both straight ahead of the pursuer, in simple motion: the rear one first, then the other."""
-    team = covey.Team([(1.0, 0.0), (2.0, 0.0)], [0.0, 0.0], 0.25, math.inf)
-    guarantee = covey.guaranteed_survival(team, covey.PursuerDisk(), [0.0, 0.0])
-    assert guarantee.time == pytest.approx(2.0 / 0.75, rel=1e-14, abs=0.0)
+    team, disk = frame.game(
+        covey.Team([(1.0, 0.0), (2.0, 0.0)], [0.0, 0.0], 0.25, math.inf), covey.PursuerDisk()
+    )
+    guarantee = covey.guaranteed_survival(team, disk, [0.0, 0.0])
+    assert guarantee.time == pytest.approx(frame.time * 2.0 / 0.75, rel=1e-14, abs=0.0)
     assert guarantee.sequence == (0, 1)
-    assert covey.plan(team, covey.PursuerDisk()).survival_time > 2.0 / 0.75
+    assert covey.plan(team, disk).survival_time > guarantee.time * (1.0 + SOLVED)
 
 
-def test_two_on_either_side_flee_apart():
+def test_two_on_either_side_flee_apart(frame):
     """Whichever is captured first, at T = d / (v_p - v), was best off flying away from both.
 
     For either order the headings straight away are the best there are, and then the gap is 2 v_p T.
     """
     team = covey.Team([(1.0, 0.0), (-1.0, 0.0)], [2.0, 0.3], 0.25, math.inf)
-    plan = covey.plan(team, covey.PursuerDisk())
+    plan = covey.plan(*frame.game(team, covey.PursuerDisk()))
     first = 1.0 / 0.75
-    assert plan.survival_time == pytest.approx(first + 2.0 * first / 0.75, rel=SOLVED, abs=0.0)
+    wanted = frame.time * (first + 2.0 * first / 0.75)
+    assert plan.survival_time == pytest.approx(wanted, rel=SOLVED, abs=0.0)
 
 
 def test_a_team_that_stands_is_visited_by_the_shortest_way():
@@ -176,10 +182,9 @@ def test_all_within_reach_at_the_start():
     assert plan.survival_time == 0.0
 
 
-def test_half_turns_to_either_side_are_different_plans():
+def test_half_turns_to_either_side_are_different_plans(frame):
     """Facing the pursuer and beside its line: a half turn away from it, not towards it."""
-    team = covey.Team([(2.0, 0.3)], [math.pi])
-    disk = covey.PursuerDisk()
+    team, disk = frame.game(covey.Team([(2.0, 0.3)], [math.pi]), covey.PursuerDisk())
     plan = covey.plan(team, disk)
     assert_valid(plan, team, disk)
     values = [covey.guaranteed_survival(team, disk, [turn]).time for turn in (math.pi, -math.pi)]
@@ -189,10 +194,9 @@ def test_half_turns_to_either_side_are_different_plans():
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
-def test_a_plan_may_end_at_a_half_turn(side):
+def test_a_plan_may_end_at_a_half_turn(frame, side):
     """A limit of the turn that holds the best one back: it is reached, and the search converges."""
-    team = covey.Team([(2.0, -0.4 * side)], [math.pi])
-    disk = covey.PursuerDisk()
+    team, disk = frame.game(covey.Team([(2.0, -0.4 * side)], [math.pi]), covey.PursuerDisk())
     grid = np.linspace(0.0, math.pi, 2001)
     values = [covey.guaranteed_survival(team, disk, [side * turn]).time for turn in grid]
     warm = covey.plan(team, disk, starts=1, warm_start=[side * 3.0])
@@ -217,7 +221,7 @@ def test_twelve_evaders_from_one_start():
     team, disk = random_game(generator, 12)
     plan = covey.plan(team, disk, starts=1)
     assert_valid(plan, team, disk)
-    away = np.arctan2(team.positions[:, 1], team.positions[:, 0])
+    away = away_from(disk.center, team.positions)
     radial = covey.guaranteed_survival(team, disk, covey.turns_to(team, away)).time
     assert plan.status is covey.PlanStatus.CONVERGED
     assert plan.survival_time > 1.02 * radial

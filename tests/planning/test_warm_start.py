@@ -48,6 +48,15 @@ def test_never_worse_with_a_capture_radius(reach):
         assert again.survival_time >= plan.survival_time
 
 
+def test_one_that_cannot_turn_takes_no_turn_from_it():
+    team, disk = random_game(np.random.default_rng(0), 2)
+    team = covey.Team(team.positions, team.headings, team.speeds, [0.0, math.pi / 2])
+    plan = covey.plan(team, disk, warm_start=[1.0, 1.0], starts=1)
+    assert plan.turns[0] == 0.0
+    assert plan.goal_headings[0] == pytest.approx(team.headings[0])
+    assert covey.plan(team, disk, warm_start=plan, starts=1).turns[0] == 0.0
+
+
 @pytest.mark.parametrize("count", [1, 3, 5])
 def test_a_plan_that_starts_from_itself_stays(count):
     generator = np.random.default_rng(count)

@@ -21,6 +21,7 @@ TEAMS = [
     covey.HoldCourse(),
 ]
 PURSUERS = [
+    covey.AssuredPursuer(),
     covey.CommittedPursuer(),
     covey.FlyingPursuer(offset=(0.6, 0.8)),
     covey.BestSequence(),

@@ -114,6 +114,10 @@ def test_a_mistake_of_an_evader(text, line, tmp_path):
             '[game]\nsensing = "Hidden"',
             'game.sensing: expected one of "hidden", "visible", got "Hidden"',
         ),
+        (
+            "[game]\nupdate_time = 1e200",
+            "game.update_time: expected a number of at most 1e+50 in size, got 1e+200",
+        ),
         ("[game]\nupdate_time = 0", "game.update_time: expected a finite number > 0, got 0"),
         ("[game]\nseed = 1.5", "game.seed: expected a whole number >= 0, got 1.5"),
         ("[game]\nseed = -1", "game.seed: expected a whole number >= 0, got -1"),

@@ -7,8 +7,8 @@ import pytest
 from scenarios.scenario_files import ONE_EVADER, mistakes
 
 NAMES = (
-    '"committed", "flying", "patient", "fixed-sequence", "best-sequence", "random-sequence", '
-    '"nearest-first"'
+    '"committed", "flying", "patient", "fixed-sequence", "best-sequence", "assured", '
+    '"random-sequence", "nearest-first"'
 )
 
 
@@ -71,9 +71,10 @@ def test_a_mistake_of_a_strategy(strategy, line, tmp_path):
         ),
         (
             '"straigt-away"',
-            ': expected one of "open-loop", "iterative-open-loop", "constant-heading", '
-            '"straight-away", "hold-course", "known-sequence", "largest-distance", '
-            '"smallest-danger", got "straigt-away"; did you mean "straight-away"?',
+            ': expected one of "open-loop", "iterative-open-loop", "contingent", '
+            '"constant-heading", "straight-away", "hold-course", "known-sequence", '
+            '"largest-distance", "smallest-danger", got "straigt-away"; '
+            'did you mean "straight-away"?',
         ),
     ],
 )

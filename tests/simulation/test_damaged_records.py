@@ -21,7 +21,7 @@ from covey.simulation.consistency import require_consistent
 from covey.simulation.storage import _checksum, read_game, write_game
 from players.test_any_game import PURSUERS, TEAMS
 from random_games import extent, games, random_game
-from simulation import custom_pursuers
+from soak import custom_pursuers
 
 OBJECTIVES = [covey.LastCapture(), covey.TotalSurvival(), covey.ExpectedSurvival()]
 NASTY = [
@@ -178,6 +178,9 @@ def beside():
         (changed_row("pursuer_sequences", 0, [0, 0]), "pursuer_sequences[0]: expected each living"),
         (changed_row("pursuer_sequences", -1, [0, -1]), "pursuer_sequences[12]: expected each"),
         (changed_row("times", 3, 0.19), "times[2]: expected a time that is not after the next"),
+        (changed_row("assurances", 3, 9.0), "assurances[4]: expected no later time than the row"),
+        (changed_row("assurances", ..., 0.1), "assurances[1]: expected a time by which everybody"),
+        (changed_row("assurances", 0, math.nan), "assurances[0]: expected a number >= 0, or inf"),
         (changed_row("guarantees", -1, 0.1), "guarantees[-1]: expected 0"),
         (changed_row("evader_turns", -1, 0.1), "evader_turns[12]: expected 0 for captured"),
         ({"capture_sequence": np.arange(3)}, "capture_times: expected an array of shape (3,)"),
@@ -261,7 +264,14 @@ def test_more_evaders_than_can_play_are_refused():
         **row,
         **{
             name: getattr(RECORDS[5], name)[:1]
-            for name in ("times", "guarantees", "pursuer_positions", "disk_centers", "disk_radii")
+            for name in (
+                "times",
+                "guarantees",
+                "assurances",
+                "pursuer_positions",
+                "disk_centers",
+                "disk_radii",
+            )
         },
         team=RECORDS[5].team.take(np.zeros(21, np.int64)),
         critical_sequences=np.arange(21)[None],

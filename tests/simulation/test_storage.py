@@ -237,7 +237,9 @@ def test_an_unknown_format_is_refused_with_what_to_do(unknown, saved):
     header |= {"format": unknown, "version": "99.0"}
     pq.write_table(table.replace_schema_metadata({b"covey": json.dumps(header)}), saved)
     message = refused(saved)
-    assert message.startswith(f"written by covey 99.0 in record format {unknown!r}, and this covey")
+    assert message.startswith(
+        f"written by covey '99.0' in record format {unknown!r}, and this covey"
+    )
     assert message.endswith(f" reads format {FORMAT}; use that covey, or simulate anew")
 
 
@@ -281,3 +283,12 @@ def test_no_flipped_bit_ever_changes_a_game_unnoticed(game, saved):
         saved.write_bytes(damaged)
         with suppress(covey.InputError):
             assert identical(covey.load_game(saved), game)  # a bit that says nothing
+
+
+def test_a_record_of_an_earlier_version_assures_nothing(game, saved):
+    table = pq.read_table(saved).drop_columns(["assurance"])
+    notes = {b"covey": table.schema.metadata[b"covey"]}
+    notes[b"covey_crc32"] = _checksum(notes[b"covey"], table)
+    pq.write_table(table.replace_schema_metadata(notes), saved)
+    assert identical(covey.load_game(saved), game)
+    assert covey.load_game(saved).assurance == math.inf

@@ -195,6 +195,17 @@ BAD_DECISIONS = [
     (lambda now: covey.Fly((math.nan, 0.0)), "Fly.velocity: expected finite numbers"),
     (lambda now: covey.Fly((0.1, 0.1, 0.1)), "Fly.velocity: expected an array of shape (2,), got"),
     (lambda now: covey.Fly("north"), "Fly.velocity: expected numbers, got 'north'"),
+    (
+        lambda now: covey.Fly(sequence=(2,)),
+        "Fly: expected a sequence of living evaders [0, 1], got",
+    ),
+    (lambda now: covey.Fly(offset=(0.1, 0.0)), "Fly.offset: expected a point at most 0 from"),
+    (lambda now: covey.Fly(assurance=math.nan), "Fly.assurance: expected a finite number >= 0"),
+    (
+        lambda now: covey.Fly(assurance=1.0 + now.time),
+        "assurance of the pursuer at time 0.01: expec",
+    ),
+    (lambda now: covey.Fly(assurance=0.015), "assurance of the pursuer at time 0.02: expected a"),
     (lambda now: None, "pursuer's decision: expected Chase or Fly, got None"),
     (lambda now: (0, 1), "pursuer's decision: expected Chase or Fly, got (0, 1)"),
 ]
@@ -221,3 +232,35 @@ def test_a_hidden_pursuer_can_wait_but_not_be_steered():
     covey.simulate(team, disk, pursuer=lambda now: covey.Fly(), update_time=0.1, time_limit=0.3)
     with pytest.raises(covey.InputError, match="a hidden pursuer is known as a disk only"):
         covey.simulate(team, disk, pursuer=lambda now: covey.Fly((0.1, 0.0)))
+
+
+def test_a_visible_pursuer_chooses_where_in_the_disk_it_starts():
+    team, disk = covey.Team([[3.0, 2.0]], [0.0]), covey.PursuerDisk((1.0, 2.0), 0.5)
+
+    def policy(offset):
+        return lambda now: covey.Fly(offset=offset if now.chooses_start else (0.0, 0.0))
+
+    game = covey.simulate(
+        team, disk, pursuer=policy((0.3, -0.4)), sensing="visible", time_limit=0.1
+    )
+    assert game.pursuer_positions[1:] == pytest.approx(
+        np.tile([1.3, 1.6], (len(game.times) - 1, 1))
+    )
+    with pytest.raises(covey.InputError, match=r"Fly\.offset: expected a point at most 0\.5 from"):
+        covey.simulate(team, disk, pursuer=policy((0.4, -0.4)), sensing="visible")
+
+
+def test_what_a_pursuer_assures_and_means_to_do_is_recorded():
+    team, disk = random_game(np.random.default_rng(11), 2)
+    game = covey.simulate(
+        team,
+        disk,
+        pursuer=lambda now: covey.Fly((0.0, 0.0), (1, 0), 9.0 - now.time),
+        sensing="visible",
+        update_time=0.1,
+        time_limit=0.3,
+    )
+    assert game.assurances == pytest.approx([9.0, 8.9, 8.8, 8.8])
+    assert game.assurance == 9.0
+    assert game.pursuer_sequences[:3].tolist() == [[1, 0]] * 3
+    assert covey.simulate(team, disk, time_limit=0.1).assurance == math.inf

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import itertools
-import math
 
 import numpy as np
 import pytest
 
 import covey
+from frames import Frame
 from random_games import random_game, random_turns
 
 ROUNDING = 1e-6
@@ -40,30 +40,6 @@ def random_games(radius, reach):
         yield random_game(generator, 1 + seed % 4, radius=radius, capture_radius=reach)
 
 
-def moved(team, disk, matrix, offset, headings):
-    return (
-        covey.Team(team.positions @ matrix.T + offset, headings, team.speeds, team.turn_rates),
-        covey.PursuerDisk(
-            matrix @ disk.center + offset, disk.radius, disk.speed, disk.capture_radius
-        ),
-    )
-
-
-def rescaled(team, disk, length, time):
-    speed = length / time
-    return (
-        covey.Team(
-            length * team.positions, team.headings, speed * team.speeds, team.turn_rates / time
-        ),
-        covey.PursuerDisk(
-            length * disk.center,
-            length * disk.radius,
-            speed * disk.speed,
-            length * disk.capture_radius,
-        ),
-    )
-
-
 def assert_times_agree(pairs):
     """Survival times of games and of the same games seen otherwise."""
     one, other = np.array(list(pairs)).T
@@ -73,36 +49,13 @@ def assert_times_agree(pairs):
 
 @BOTH
 @DISKS
-def test_translation(sensing, radius, reach):
+@pytest.mark.parametrize(
+    "frame", [Frame(offset=(3.0, -2.0)), Frame(1.0), Frame(time=60.0)], ids=str
+)
+def test_in_another_frame_the_team_survives_as_long(sensing, radius, reach, frame):
     def pair(team, disk):
-        there = moved(team, disk, np.eye(2), np.array([3.0, -2.0]), team.headings)
-        return play(team, disk, sensing).survival_time, play(*there, sensing).survival_time
-
-    assert_times_agree(itertools.starmap(pair, random_games(radius, reach)))
-
-
-@BOTH
-@DISKS
-def test_rotation(sensing, radius, reach):
-    angle = 1.0
-    cosine, sine = math.cos(angle), math.sin(angle)
-    matrix = np.array([[cosine, -sine], [sine, cosine]])
-
-    def pair(team, disk):
-        there = moved(team, disk, matrix, np.zeros(2), team.headings + angle)
-        return play(team, disk, sensing).survival_time, play(*there, sensing).survival_time
-
-    assert_times_agree(itertools.starmap(pair, random_games(radius, reach)))
-
-
-@BOTH
-@DISKS
-def test_unit_of_time(sensing, radius, reach):
-    def pair(team, disk):
-        slow = play(
-            *rescaled(team, disk, length=1.0, time=60.0), sensing, update_time=60.0 * UPDATE_TIME
-        )
-        return play(team, disk, sensing).survival_time, slow.survival_time / 60.0
+        there = play(*frame.game(team, disk), sensing, update_time=frame.time * UPDATE_TIME)
+        return play(team, disk, sensing).survival_time, there.survival_time / frame.time
 
     assert_times_agree(itertools.starmap(pair, random_games(radius, reach)))
 
@@ -113,7 +66,11 @@ def test_reflection(sensing, radius, reach):
     """Of given turns: a search that draws its starts at random has no mirror image."""
     for team, disk in random_games(radius, reach):
         turns = random_turns(np.random.default_rng(0), len(team))
-        there = moved(team, disk, np.diag([1.0, -1.0]), np.zeros(2), -team.headings)
+        mirror = np.array([1.0, -1.0])
+        there = (
+            covey.Team(mirror * team.positions, -team.headings, team.speeds, team.turn_rates),
+            covey.PursuerDisk(mirror * disk.center, disk.radius, disk.speed, disk.capture_radius),
+        )
         survived = play(*there, sensing, evaders=announcing(-turns)).survival_time
         expected = play(team, disk, sensing, evaders=announcing(turns)).survival_time
         assert survived == pytest.approx(expected, abs=ROUNDING)
@@ -131,7 +88,7 @@ def test_a_power_of_two_of_the_unit_of_length_is_exact(sensing, radius, reach, l
         )
         quickest = {"pursuer": covey.CommittedPursuer()}
         game = play(team, disk, sensing, **quickest)
-        scaled = play(*rescaled(team, disk, length, time=1.0), sensing, **quickest)
+        scaled = play(*Frame(length=length).game(team, disk), sensing, **quickest)
         assert np.array_equal(scaled.times, game.times)
         assert np.array_equal(scaled.guarantees, game.guarantees)
         assert np.array_equal(scaled.evader_positions, length * game.evader_positions)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import covey
+from covey.players.compiled import checked_settings
 from random_games import random_game
 from soak import custom_pursuers
 
@@ -116,3 +117,11 @@ def test_the_default_limit_by_hand():
     )
     assert game.status is covey.GameStatus.TIME_LIMIT
     assert game.times[-1] == pytest.approx(2.0 * (1.0 + 10.0) / 0.75, rel=1e-12)
+
+
+def test_a_default_limit_too_large_for_a_number_is_none():
+    team = covey.Team(np.ones((8, 2)), np.zeros(8), 1.0 - 2e-9)
+    settings = checked_settings(
+        team, covey.PursuerDisk(), "hidden", 0.1, 0, None, covey.LastCapture()
+    )
+    assert settings.time_limit == math.inf

@@ -9,6 +9,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 import covey
+from random_games import PLACE
 
 RATE = math.pi / 2
 RADIUS = 0.25 / RATE
@@ -62,6 +63,7 @@ def game_by_hand():
         evader_headings=np.array([[0.0, 0.0], [0.0, 0.8 * RATE], [0.0, RATE]]),
         evader_turns=np.array([[0.0, RATE], [0.0, 0.2 * RATE], [0.0, 0.0]]),
         guarantees=SECOND_CAPTURE - np.array([0.0, FIRST_CAPTURE, SECOND_CAPTURE]),
+        assurances=np.full(3, np.inf),
         critical_sequences=np.array([[0, 1], [1, -1], [-1, -1]]),
         pursuer_sequences=np.array([[0, 1], [1, -1], [-1, -1]]),
         pursuer_positions=np.array([[0.0, 0.0], *positions]),
@@ -75,6 +77,6 @@ def simulated(sensing="hidden", seed=3, count=4, **options):
     """A game of section V of the paper, in few rows."""
     generator = np.random.default_rng(seed)
     positions = generator.uniform(-0.5, 0.5, (count, 2))
-    team = covey.Team(positions, np.arctan2(positions[:, 1], positions[:, 0]))
-    disk = covey.PursuerDisk(capture_radius=options.pop("capture_radius", 0.0))
+    team = covey.Team(PLACE + positions, np.arctan2(positions[:, 1], positions[:, 0]))
+    disk = covey.PursuerDisk(PLACE, capture_radius=options.pop("capture_radius", 0.0))
     return covey.simulate(team, disk, sensing=sensing, update_time=0.25, **options)

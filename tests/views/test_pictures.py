@@ -13,6 +13,7 @@ from covey.views import draw_capture, draw_control, draw_game, draw_plan
 from covey.views.kit import style
 from covey.views.kit.layout import Camera, single_map
 from covey.views.kit.point_labels import label
+from covey.views.kit.time_format import time_format
 from views.drawn_artists import boxes, disks, labels, line, points
 from views.flown_games import FIRST_CAPTURE, SECOND_CAPTURE, game_by_hand, simulated, turning_evader
 
@@ -85,29 +86,38 @@ def test_the_disk_reaches_the_evader_at_the_capture(distance, capture_radius):
     assert points(axes, "flown by evaders")[-1] == pytest.approx(capture)
 
 
-def test_a_plan_shows_its_captures_in_order():
+def test_a_plan_shows_its_captures_in_order(frame):
     game = game_by_hand()
-    turns = game.evader_turns[0]
+    team, disk = frame.game(game.team, game.disk)
+    turns, first, second = (
+        game.evader_turns[0],
+        frame.time * FIRST_CAPTURE,
+        frame.time * SECOND_CAPTURE,
+    )
     plan = covey.Plan(
         turns,
         turns,
-        SECOND_CAPTURE,
+        second,
         covey.LastCapture(),
-        SECOND_CAPTURE,
+        second,
         ((0, 1), (1, 0)),
         covey.PlanStatus.CONVERGED,
         *([0] * (len(covey.Plan.__dataclass_fields__) - 7)),
     )
-    (axes,) = draw_plan(game.team, game.disk, plan).axes
-    captures = [[0.8, 0.0], turning_evader(SECOND_CAPTURE)]
-    assert points(axes, "predicted captures") == pytest.approx(np.array(captures), abs=1e-12)
-    assert points(axes, "evaders").tolist() == game.team.positions.tolist()
+    (axes,) = draw_plan(team, disk, plan).axes
+    captures, rounding = (
+        frame.points([[0.8, 0.0], turning_evader(SECOND_CAPTURE)]),
+        1e-12 * frame.length,
+    )
+    assert points(axes, "predicted captures") == pytest.approx(captures, abs=rounding)
+    assert points(axes, "evaders").tolist() == team.positions.tolist()
+    write = time_format(second)
     assert [text.get_text() for text in labels(axes)] == [
-        f"1: {FIRST_CAPTURE:.2f}",
-        f"2: {SECOND_CAPTURE:.2f}",
+        f"1: {write(first)}",
+        f"2: {write(second)}",
     ]
     positions = np.array([text.xy for text in labels(axes)])
-    assert positions == pytest.approx(np.array(captures), abs=1e-12)
+    assert positions == pytest.approx(captures, abs=rounding)
 
 
 def test_a_game_shows_its_captures_in_order():

@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import json
 import os
+import selectors
 import socket
 import struct
 import time
 from contextlib import ExitStack, contextmanager, suppress
 
 NEW = json.dumps({"type": "new", "choices": {"evaders": 1, "capture_radius": 0.01}}).encode()
+NEW_OF_FIVE = json.dumps({"type": "new", "choices": {"capture_radius": 0.01}}).encode()
 LARGEST = {"evaders": 10, "capture_radius": 0.01, "speed": 0.5, "pursuer_speed": 1.2}
 NEW_LARGEST = json.dumps({"type": "new", "choices": LARGEST}).encode()
-FILM = b'{"type": "film", "game": "optimal"}'
+FILM = b'{"type": "film", "game": "reference"}'
 RUN = b'{"type": "run"}'
+
+address = "127.0.0.1"
+"""Of the machine that the pages are on. The server knows machines by it."""
 
 TEXT, BYTES, CLOSE, PING = 1, 2, 8, 9
 
@@ -33,7 +38,7 @@ def frame(opcode, content=b"", *, final=True):
 @contextmanager
 def raw_page(port, wait=10.0):
     """A socket after the handshake of a page. It hears little at once."""
-    with socket.create_connection(("127.0.0.1", port), timeout=wait) as raw:
+    with socket.create_connection(("127.0.0.1", port), wait, (address, 0)) as raw:
         raw.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         raw.sendall(
             f"GET /play HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nOrigin: http://127.0.0.1:{port}\r\n"
@@ -146,12 +151,57 @@ def crowd_of_games(port, seconds):
     crowd(port, seconds, first=frame(TEXT, NEW))
 
 
+def crowd_of_running_games(port, seconds):
+    """On each page runs a game of five, as fast as it can. Larger ones wait longer to be set up."""
+    reading_crowd(
+        port, seconds, frame(TEXT, NEW_OF_FIVE) + frame(TEXT, b'{"type": "run", "pace": 2.0}')
+    )
+
+
+def crowd_of_films(port, seconds):
+    """Each page asks for film after film."""
+    reading_crowd(port, seconds, frame(TEXT, NEW_OF_FIVE) + frame(TEXT, FILM) * 50)
+
+
 def reconnects(port, seconds):
     """Ask for a large game and go, at once and again."""
     ends = time.monotonic() + seconds
     while time.monotonic() < ends:
         with suppress(OSError), raw_page(port) as raw:
             raw.sendall(frame(TEXT, NEW_LARGEST))
+
+
+def requests(port, seconds):
+    """Ask for a file again and again, on many connections."""
+    asked = f"GET /main.js HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n\r\n".encode() * 20
+    with suppress(OSError), ExitStack() as sockets:
+        raws = [
+            sockets.enter_context(socket.create_connection(("127.0.0.1", port), 1.0, (address, 0)))
+            for _ in range(20)
+        ]
+        read_until(raws, time.monotonic() + seconds, first=asked, answer=asked)
+
+
+def reading_crowd(port, seconds, first, count=20):
+    """Many pages at once, which read whatever comes."""
+    ends = time.monotonic() + seconds
+    with suppress(OSError), ExitStack() as pages:
+        raws = [pages.enter_context(raw_page(port)) for _ in range(count)]
+        read_until(raws, ends, first)
+
+
+def read_until(raws, ends, first, answer=b""):
+    """Send `first` to all, read what comes, and send `answer` to it."""
+    with selectors.DefaultSelector() as selector:
+        for raw in raws:
+            raw.sendall(first)
+            selector.register(raw, selectors.EVENT_READ)
+        while time.monotonic() < ends:
+            for key, _ in selector.select(0.1):
+                if key.fileobj.recv(2**16):
+                    key.fileobj.sendall(answer)
+                else:
+                    selector.unregister(key.fileobj)
 
 
 def crowd(port, seconds, count=190, first=b""):
@@ -173,4 +223,7 @@ BAD_PAGES = (
     uploads,
     reconnects,
     crowd_of_games,
+    crowd_of_running_games,
+    crowd_of_films,
+    requests,
 )

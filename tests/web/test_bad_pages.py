@@ -57,7 +57,7 @@ def good_game(server):
     """Another page's game, which must go on: its time, before and after."""
     with server.page(close_timeout=1.0) as page:
         say(page, type="new", choices={"evaders": 3, "capture_radius": 0.01})
-        hear(page, "optimal")
+        hear(page, "reference")
         say(page, type="run", pace=0.25)
         before = hear(page, "frame")["time"]
         yield page

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
-import threading
-import time
+from concurrent.futures import Future
 from types import SimpleNamespace
 
 import pytest
@@ -13,7 +12,6 @@ from starlette.websockets import WebSocketDisconnect
 
 from covey.web import connection
 from covey.web.messages import is_quick
-from covey.web.rate_limit import TokenBucket
 
 TEXT, FILE = {"text": "x"}, {"bytes": b"x"}
 
@@ -123,7 +121,7 @@ def test_a_file_is_answered_before_more_is_read():
         ("nonsense", True),
         ('{"type": "new", "choices": {}}', False),
         ('{"type": "steer", "type": "new", "choices": {}}', False),  # the last one counts
-        ('{"type": "film", "game": "optimal"}', False),
+        ('{"type": "film", "game": "reference"}', False),
         ('{"type": "save", "game": "yours"}', False),
         (b"PAR1", False),
     ],
@@ -132,71 +130,87 @@ def test_which_messages_take_no_longer_than_a_frame(message, quick):
     assert is_quick(message) is quick
 
 
-def answer_many(work, count):
-    """Answer `count` times; return the threads that computed the replies."""
-    threads = []
+class Threads:
+    """Compute at once, and note for whom."""
 
-    async def send_text(text):
-        threads.append(json.loads(text)["thread"])
+    def __init__(self):
+        self.users = []
 
-    def replies():
-        yield {"type": "game", "thread": threading.current_thread().name}
-
-    async def answers():
-        for _ in range(count):
-            await connection._answer(SimpleNamespace(send_text=send_text), replies(), work)
-
-    asyncio.run(answers())
-    return threads
+    def submit(self, user, call):
+        self.users.append(user)
+        future = Future()
+        future.set_result(call())
+        return future
 
 
-def test_one_thread_computes_all_that_takes_long():
-    slow = answer_many(TokenBucket(1.0, 1.0), 3)
-    assert set(slow) == {"covey-slow-replies_0"}
-    assert not set(answer_many(None, 3)) & set(slow)
+@pytest.mark.parametrize("slow", [False, True])
+def test_replies_are_computed_when_it_is_the_turn_of_the_address(monkeypatch, slow):
+    quick_threads, slow_threads = Threads(), Threads()
+    monkeypatch.setattr(connection, "_quick_threads", quick_threads)
+    monkeypatch.setattr(connection, "_slow_threads", slow_threads)
+    told = []
+
+    async def send(content):
+        told.append(content)
+
+    page = SimpleNamespace(scope={"client": ("h", 80)}, send_text=send, send_bytes=send)
+    replies = iter([{"type": "over", "time": None}, '{"type": "film"}', b"PAR1"])
+    asyncio.run(connection._answer(page, replies, slow=slow))
+    assert told == ['{"type": "over", "time": null}', '{"type": "film"}', b"PAR1"]
+    assert (slow_threads if slow else quick_threads).users == ["h"]
+    assert (quick_threads if slow else slow_threads).users == []
 
 
-def test_a_page_waits_when_it_has_used_up_its_time(monkeypatch):
-    now = [0.0]
+def test_long_answers_take_several_turns(monkeypatch):
+    """Nothing is sent twice, and a turn ends with the update that is under way."""
+    threads, now = Threads(), [0.0]
+    monkeypatch.setattr(connection, "_quick_threads", threads)
+    monkeypatch.setattr(connection, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    told = []
 
-    async def sleep(seconds):
-        now[0] += seconds
+    async def send(content):
+        told.append((len(threads.users), content))
 
-    monkeypatch.setattr(connection.asyncio, "sleep", sleep)
-    monkeypatch.setattr(
-        connection, "time", SimpleNamespace(monotonic=lambda: now[0], thread_time=Readings(0.5))
-    )
-    work = TokenBucket(connection._WORK_RATE, connection._WORK_BURST)
-    answer_many(work, 4)
-    assert now[0] == 0.0  # 2 s are saved up
-    answer_many(work, 4)
-    assert now[0] == pytest.approx(4 * 0.5 / 0.2, abs=0.1)
-    answer_many(None, 100)
-    assert now[0] == pytest.approx(10.0, abs=0.1)
+    def updates():
+        for _ in range(5):
+            now[0] += 0.6 * connection._TURN
+            yield None
+        yield {"type": "frame"}
+        yield {"type": "over"}
 
-
-class Readings:
-    """A clock that goes on by `interval` at each reading."""
-
-    def __init__(self, interval):
-        self.now, self.interval = 0.0, interval
-
-    def __call__(self):
-        self.now += self.interval
-        return self.now
+    page = SimpleNamespace(scope={"client": ("h", 80)}, send_text=send)
+    asyncio.run(connection._answer(page, updates(), slow=False))
+    assert threads.users == ["h"] * 3
+    assert told == [(3, '{"type": "frame"}'), (3, '{"type": "over"}')]
 
 
-def test_an_answer_that_took_longer_than_can_be_saved_up_is_paid_all_the_same(monkeypatch):
-    monkeypatch.setattr(connection, "_WORK_BURST", 0.01)
-    work = TokenBucket(100.0, 0.01)
-    monkeypatch.setattr(
-        connection, "time", SimpleNamespace(monotonic=time.monotonic, thread_time=Readings(60.0))
-    )
-    answer_many(work, 2)
+def test_games_and_films_wait_elsewhere_than_frames(monkeypatch):
+    """Whatever a page sends, `_play` says which of the two it is."""
+    computed = []
 
+    async def answer(websocket, replies, *, slow):
+        computed.append((slow, [reply["type"] for reply in replies if reply]))
 
-def test_replies_are_the_json_that_they_would_be_at_once():
-    reply = {"type": "film", "cast": {"speeds": [1.0, 2]}, "pictures": [{"a": [1]}, None], "n": []}
-    assert connection._encoded(reply) == json.dumps(reply)
-    with pytest.raises(ValueError, match="JSON"):
-        connection._encoded({"pictures": [float("nan")]})
+    monkeypatch.setattr(connection, "_answer", answer)
+
+    async def play():
+        inbox = asyncio.Queue()
+        for message in (
+            {"type": "new", "choices": {"evaders": 1}},
+            {"type": "step"},
+            {"type": "run"},
+        ):
+            inbox.put_nowait(json.dumps(message))
+        playing = asyncio.create_task(connection._play(None, inbox))
+        while len(computed) < 6 and not playing.done():
+            await asyncio.sleep(0.01)
+        playing.cancel()
+
+    asyncio.run(play())
+    assert computed[:4] == [
+        (True, ["game"]),
+        (False, ["frame"]),
+        (False, []),
+        (True, ["reference"]),
+    ]
+    assert computed[5] == (False, ["frame"])

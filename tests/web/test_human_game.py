@@ -92,16 +92,28 @@ def test_a_near_target_is_flown_to_and_not_past():
 
 
 @BOTH
-def test_the_score_sets_the_person_beside_the_optimal_pursuer(sensing):
+def test_the_score_sets_the_person_beside_the_best_pursuer(sensing):
     choices = Choices(evaders=3, sensing=sensing, seed=4)
     game = played(choices)
     team, disk = choices.game()
-    optimal = covey.simulate(team, disk, sensing=sensing, update_time=UPDATE_TIME, seed=4)
+    reference = min(
+        covey.simulate(
+            team, disk, pursuer=pursuer, sensing=sensing, update_time=UPDATE_TIME, seed=4
+        ).survival_time
+        for pursuer in (covey.CommittedPursuer(), covey.BestSequence())
+    )
     score, record = game.score(), game.record()
+    assert game.reference.seed == choices.seed
     assert score.time == record.survival_time
-    assert score.share == optimal.survival_time / record.survival_time
+    assert score.share == reference / record.survival_time
     assert score.above == record.survival_time - covey.plan(team, disk, seed=4).survival_time
     assert score.above >= -1e-9
+
+
+def test_no_reference_survives_the_assured_time():
+    visible = HumanGame(Choices(evaders=4, seed=6))
+    assert visible.reference.survival_time <= visible.assurance * (1.0 + 1e-9)
+    assert visible.reference.guarantee <= visible.assurance
 
 
 def test_who_gives_up_scores_nothing(monkeypatch):

@@ -27,20 +27,26 @@ class Page:
 
     def __init__(self, **choices):
         self.session, self.now = Session(), 0.0
-        self.game = self.optimal = None
+        self.game = self.reference = None
         if choices:
             (self.game,) = self.ask(type="new", choices=choices)
-            (self.optimal,) = self.wait(0.0)
+            (self.reference,) = self.wait(0.0)
 
     def ask(self, **message):
         return self.send(json.dumps(message))
 
     def send(self, content):
-        return list(self.session.receive(content, self.now))
+        return self.heard(self.session.receive(content, self.now))
 
     def wait(self, seconds):
         self.now += seconds
-        return list(self.session.advance(self.now))
+        return self.heard(self.session.advance(self.now))
+
+    @staticmethod
+    def heard(replies):
+        """The messages, without the moments at which others may have a turn."""
+        messages = [reply for reply in replies if reply is not None]
+        return [json.loads(each) if isinstance(each, str) else each for each in messages]
 
     def play(self, pace=1.0):
         """Chase to the end; return the score."""
@@ -58,14 +64,14 @@ class Page:
         return reply["text"]
 
 
-def test_a_game_is_set_up_with_its_plan_and_the_optimal_game_follows():
+def test_a_game_is_set_up_with_its_plan_and_the_reference_game_follows():
     page = Page(evaders=4, seed=6)
     assert page.game["type"] == "game"
     assert page.game["picture"]["time"] == 0.0
     assert sorted(page.game["picture"]["sequence"]) == [0, 1, 2, 3]
     # The first plan: its last expected capture is what is guaranteed.
     assert page.game["picture"]["expected"][-1] == pytest.approx(page.game["cast"]["guarantee"])
-    assert page.optimal["survival_time"] >= page.game["cast"]["guarantee"] - 1e-9
+    assert page.reference["survival_time"] >= page.game["cast"]["guarantee"] - 1e-9
     assert page.wait(1.0) == []  # nothing runs before it is asked to
 
 
@@ -97,12 +103,32 @@ def test_pause_and_step():
     assert page.wait(1.0) == []
 
 
+def test_between_two_updates_others_may_have_a_turn():
+    page = Page(evaders=2, seed=1, capture_radius=0.01)
+    page.ask(type="run", pace=1.0)
+    assert [reply and reply["type"] for reply in page.session.advance(0.0151)] == [
+        *[None] * 3,
+        "frame",
+    ]
+    step = page.session.receive('{"type": "step"}', 0.02)
+    assert [reply and reply["type"] for reply in step] == [*[None] * 10, "frame"]
+
+
+def test_a_new_game_stands_still_although_the_last_one_ran():
+    page = Page(evaders=2, seed=1)
+    page.ask(type="run", pace=1.0)
+    page.wait(1 / 60)
+    page.ask(type="new", choices={"evaders": 2, "seed": 2})
+    assert [reply["type"] for reply in page.wait(1.0)] == ["reference"]
+    assert page.wait(1.0) == []
+
+
 def test_played_to_the_end_it_is_scored_saved_and_shown():
     page = Page(evaders=3, seed=8, sensing="hidden")
     assert "isn't over" in page.error('{"type": "save", "game": "yours"}')
     score = page.play()
     assert score["type"] == "over"
-    assert score["share"] == pytest.approx(page.optimal["survival_time"] / score["time"])
+    assert score["share"] == pytest.approx(page.reference["survival_time"] / score["time"])
     (content,) = page.ask(type="save", game="yours")
     record = read_game(content, "saved")
     assert record.survival_time == score["time"]
@@ -114,13 +140,13 @@ def test_played_to_the_end_it_is_scored_saved_and_shown():
     assert page.wait(1.0) == []  # over is over
 
 
-def test_the_optimal_game_is_there_from_the_start():
+def test_the_reference_game_is_there_from_the_start():
     page = Page(evaders=3, seed=8)
-    (content,) = page.ask(type="save", game="optimal")
+    (content,) = page.ask(type="save", game="reference")
     record = read_game(content, "saved")
     assert record.strategies["pursuer"]["name"] == "committed"
-    assert record.survival_time == page.optimal["survival_time"]
-    (film,) = page.ask(type="film", game="optimal")
+    assert record.survival_time == page.reference["survival_time"]
+    (film,) = page.ask(type="film", game="reference")
     assert film["pictures"][-1]["time"] == record.survival_time
 
 
@@ -163,6 +189,7 @@ def test_what_is_no_record_is_refused(tmp_path, monkeypatch):
     covey.save_game(covey.simulate(team, covey.PursuerDisk()), path)
     content = path.read_bytes()
     assert "damaged" in page.error(content[: len(content) // 2])
+    assert "damaged" in page.error(content.replace(b"time", b"\x80ime"))  # not UTF-8
     monkeypatch.setattr(upload, "MOST_NUMBERS", 10)
     assert "at most 10 numbers" in page.error(content)
     monkeypatch.setattr(upload, "MOST_BYTES", 10)
@@ -261,7 +288,7 @@ def test_a_page_without_a_game_is_told_so():
         {"type": "pause"},
         {"type": "step"},
         {"type": "film", "game": "yours"},
-        {"type": "save", "game": "optimal"},
+        {"type": "save", "game": "reference"},
     ):
         page = Page()
         assert "no game yet" in page.error(json.dumps(message))
@@ -292,7 +319,7 @@ MESSAGES = st.one_of(
     st.fixed_dictionaries({"type": st.just("run")}, optional={"pace": VALUES}),
     st.fixed_dictionaries({"type": st.sampled_from(["pause", "step"])}),
     st.fixed_dictionaries(
-        {"type": st.sampled_from(["film", "save"]), "game": st.sampled_from(["yours", "optimal"])}
+        {"type": st.sampled_from(["film", "save"]), "game": st.sampled_from(["yours", "reference"])}
     ),
     st.just({"type": "new", "choices": {"evaders": 1, "capture_radius": 0.1}}),
 )
@@ -307,7 +334,7 @@ def test_any_messages_in_any_order_are_answered(sent):
         for reply in page.send(content) + page.wait(1 / 60):
             if isinstance(reply, dict):
                 json.dumps(reply, allow_nan=False)
-                assert reply["type"] in {"game", "optimal", "frame", "over", "film", "error"}
+                assert reply["type"] in {"game", "reference", "frame", "over", "film", "error"}
     (game,) = page.ask(type="new", choices={"evaders": 1, "seed": 1})
     assert game["type"] == "game"
 

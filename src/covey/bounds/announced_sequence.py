@@ -52,13 +52,13 @@ def best_announcement(
     SequencePlan
         The sequence, and the team's best answer to it.
     """
-    values = _beam_search(team, disk)
+    values = sequences_on_grid(team, disk)
     finalists = sorted(values, key=lambda sequence: values[sequence])[:_FINALISTS]
     plans = [plan_for_sequence(team, disk, sequence) for sequence in {*finalists, *known}]
     return min(plans, key=lambda plan: (plan.survival_time, plan.sequence))
 
 
-def _beam_search(team: Team, disk: PursuerDisk) -> dict[tuple[int, ...], float]:
+def sequences_on_grid(team: Team, disk: PursuerDisk) -> dict[tuple[int, ...], float]:
     """Return sequences and the latest times of their last captures on the grid."""
     n, pursuit = len(team), pursuit_of(disk)
     grid = new_grid(team.as_rows(), _GRID_HEADINGS)

@@ -11,6 +11,7 @@ from covey.bounds.polygon_bound import last_capture_bound
 from covey.model import PursuerDisk, Team
 from covey.model.angles import unit_vectors
 from covey.model.display import html_table, one_line
+from covey.model.validation import Floats, read_only
 from covey.model.value import Value
 from covey.planning.guarantee import about_center
 from covey.planning.open_loop import Plan, plan
@@ -34,12 +35,15 @@ class Bracket(Value):
         The open-loop plan that guarantees `lower`.
     sequence : tuple of int
         The capture sequence whose value is `upper`.
+    start : numpy.ndarray
+        (2,) the point of the disk from which that pursuer starts.
     """
 
     lower: float
     upper: float
     plan: Plan
     sequence: tuple[int, ...]
+    start: Floats
 
     def __repr__(self) -> str:
         """Return both bounds, and the sequence of the upper one, in one line."""
@@ -63,7 +67,7 @@ def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None 
     Returns
     -------
     Bracket
-        The value lies in [lower, upper], up to rounding.
+        The value lies in [lower, upper], up to rounding, by which equal bounds may cross.
 
     Raises
     ------
@@ -95,17 +99,18 @@ def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None 
        salesman game problem", Cybernetics and Systems Analysis 46 (2010).
     """
     found = plan(team, disk, seed=seed, starts=starts)
+    center = disk.center
     team, disk = about_center(team, disk)
     agile = Team(team.positions, team.headings, team.speeds, math.inf)
     point = PursuerDisk(disk.center, disk.radius, disk.speed)
     announced = best_announcement(agile, point, found.critical_sequences[:2])
     start, announced = _from_best_start(agile, disk, announced)
-    upper = last_capture_bound(agile, start, announced)
     return Bracket(
         lower=found.survival_time,
-        upper=max(upper, found.survival_time),  # equal bounds may cross by rounding
+        upper=last_capture_bound(agile, start, announced),
         plan=found,
         sequence=announced.sequence,
+        start=read_only(center + start.center),
     )
 
 

@@ -10,6 +10,8 @@ from __future__ import annotations
 
 import itertools
 import math
+from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,14 +19,24 @@ from covey.bounds.fixed_sequence import SequencePlan
 from covey.kernels.maximum.fixed_sequence import first_captures, next_captures
 from covey.model import PursuerDisk, Team
 from covey.model.angles import unit_vectors, wrap_angle
-from covey.model.validation import Floats
+from covey.model.validation import Floats, read_only
 from covey.planning.guarantee import longest_game, paths_of, pursuit_of
 
-_CLOSEST = 1e-6
-"""Radians from the best heading to the next tangent; the bound errs by the square of this."""
 
-_GROWTH = 0.12
-"""Gap from a tangent to the next, as a share of the tangent's distance from the best heading."""
+class Spacing(NamedTuple):
+    """How dense the corners of the polygons are."""
+
+    closest: (
+        float  # radians from the best heading to the next tangent; the bound errs by its square
+    )
+    growth: float  # gap to the next tangent, as a share of the distance from the best heading
+
+
+DENSE = Spacing(1e-6, 0.12)
+"""The bound exceeds the maximum by less than 1e-11, relative."""
+
+SPARSE = Spacing(1e-5, 0.4)
+"""By less than 1e-9, in a tenth of the interceptions."""
 
 _LARGEST_GAP = 0.3
 _MAX_TANGENTS = 4000
@@ -49,19 +61,29 @@ def last_capture_bound(team: Team, disk: PursuerDisk, plan: SequencePlan) -> flo
     float
         A time by which the last evader is captured.
     """
-    right = _tangents(float(team.speeds.max()) / disk.speed)
+    return bound_near(team, disk, plan.sequence, plan.goal_headings, DENSE)[0]
+
+
+def bound_near(
+    team: Team, disk: PursuerDisk, sequence: tuple[int, ...], headings: Floats, spacing: Spacing
+) -> tuple[float, Floats]:
+    """Return the bound for a sequence, and headings (N,) near which the maximum is.
+
+    As `last_capture_bound`; it is expected near `headings` (N,). The corners have the `spacing`.
+    """
+    right = _tangents(float(team.speeds.max()) / disk.speed, spacing)
     if len(right) == 0:
-        return longest_game(team, disk)
-    bound, centers = math.inf, plan.goal_headings[np.newaxis, :]
+        return longest_game(team, disk), headings
+    bound, centers = math.inf, headings[np.newaxis, :]
     for _ in range(_MAX_CENTERS):
-        headings, stretch = _corners(right, centers)
-        latest, attained = _latest_at_corners(team, disk, plan.sequence, headings, stretch)
+        corners, stretch = _corners(right, centers)
+        latest, attained = _latest_at_corners(team, disk, sequence, corners, stretch)
         bound = min(bound, latest)
         off = np.abs(wrap_angle(centers - attained)).min(axis=0)
-        if off[list(plan.sequence[:-1])].max(initial=0.0) < _CLOSEST:
+        if off[list(sequence[:-1])].max(initial=0.0) < spacing.closest:
             break
         centers = np.vstack([centers, attained])
-    return bound
+    return bound, attained
 
 
 def _latest_at_corners(
@@ -102,7 +124,8 @@ def _latest_at_corners(
     return latest, attained
 
 
-def _tangents(ratio: float) -> Floats:
+@lru_cache(maxsize=64)
+def _tangents(ratio: float, spacing: Spacing) -> Floats:
     """Return angles in (0, π] from a polygon's densest direction to its tangents of the unit disk.
 
     The gaps are so small that an evader of `ratio` times the pursuer's speed stays slower than the
@@ -111,10 +134,10 @@ def _tangents(ratio: float) -> Floats:
     gap = min(_LARGEST_GAP, 2.0 * math.acos(2.0 * ratio / (1.0 + ratio)))
     if gap * _MAX_TANGENTS < 2.0 * math.pi:
         return np.empty(0)
-    tangents = [_CLOSEST]
+    tangents = [spacing.closest]
     while tangents[-1] < math.pi:
-        tangents.append(tangents[-1] + min(_GROWTH * tangents[-1], gap))
-    return np.array([*tangents[:-1], math.pi])
+        tangents.append(tangents[-1] + min(spacing.growth * tangents[-1], gap))
+    return read_only(np.array([*tangents[:-1], math.pi]))
 
 
 def _corners(right: Floats, centers: Floats) -> tuple[Floats, Floats]:

@@ -131,9 +131,9 @@ class Episode:
     def _decided(self, decide: PursuerPolicy) -> tuple[int, Velocity]:
         """Return the row of the evader that the pursuer flies to, or NOBODY, and its velocity."""
         known = team_information(self.state, self._disk)
-        decision = decide(pursuer_information(known, self.state, moves=True))
-        _, target, velocity = checked_decision(decision, known.evaders, self._disk, moves=True)
-        return target, velocity
+        seen = pursuer_information(known, self.state, self.rules, moves=True)
+        decision = checked_decision(decide(seen), seen, moves=True)
+        return decision.target, decision.velocity
 
     def _seen_from(self, position: Floats, first: int) -> Seen:
         seen = np.empty(ROW * self.setup.team_size + DISK, np.float32)

@@ -11,7 +11,16 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from covey.model.validation import Floats, InputError, Ints, choice, listed, number, permutation
+from covey.model.validation import (
+    Floats,
+    InputError,
+    Ints,
+    choice,
+    listed,
+    number,
+    permutation,
+    shown,
+)
 
 MEASURES = ("last", "total")
 
@@ -137,7 +146,7 @@ def distribution_of(
         sequences = tuple(itertools.permutations(range(count)))
     if len(sequences[0]) != count:
         raise InputError(
-            f"{name}: expected sequences of all {count} evaders, got {list(sequences[0])}"
+            f"{name}: expected sequences of all {count} evaders, got {shown(list(sequences[0]))}"
         )
     shares = np.ones(len(sequences)) if weights is None else np.array(weights)
     return SequenceDistribution(np.array(sequences, dtype=np.int64), shares / shares.sum())
@@ -149,12 +158,14 @@ def checked_distribution(
     """Return sequences of one team and their weights, checked; else raise InputError."""
     if sequences is None:
         if weights is not None:
-            raise InputError(f"{name}.weights: expected none without sequences, got {weights!r}")
+            raise InputError(
+                f"{name}.weights: expected none without sequences, got {shown(weights)}"
+            )
         return None, None
     given = listed(f"{name}.sequences", sequences)
     count = len(listed(f"{name}.sequences", given[0])) if given else 0
     if count == 0:
-        raise InputError(f"{name}.sequences: expected at least one, got {given}")
+        raise InputError(f"{name}.sequences: expected at least one, got {shown(given)}")
     kept = tuple(
         tuple(permutation(f"{name}.sequences", sequence, count).tolist()) for sequence in given
     )
@@ -171,7 +182,7 @@ def _checked_weights(name: str, weights: Sequence[float], count: int) -> tuple[f
             f"{name}.weights: expected one for each of {count} sequences, got {len(kept)}"
         )
     if not 0.0 < sum(kept) < math.inf:
-        raise InputError(f"{name}.weights: expected at least one > 0, got {list(kept)}")
+        raise InputError(f"{name}.weights: expected at least one > 0, got {shown(list(kept))}")
     return kept
 
 

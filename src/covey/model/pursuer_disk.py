@@ -10,7 +10,15 @@ import numpy.typing as npt
 from covey.model.angles import away_from
 from covey.model.display import html_table, one_line
 from covey.model.team import Team
-from covey.model.validation import Floats, InputError, checked_array, frozen_array, number
+from covey.model.validation import (
+    SMALLEST_SPEED,
+    Floats,
+    InputError,
+    checked_array,
+    frozen_array,
+    is_slower,
+    number,
+)
 from covey.model.value import Value
 
 
@@ -27,7 +35,7 @@ class PursuerDisk(Value):
     radius
         r >= 0, a length; 0 where the pursuer's position is known.
     speed
-        v_p > 0, length per time.
+        v_p > 0 (at least 1e-50), length per time.
     capture_radius
         ρ >= 0, a length: the pursuer captures an evader within this distance. The paper's game has
         ρ = 0.
@@ -50,10 +58,11 @@ class PursuerDisk(Value):
         speed: float = 1.0,
         capture_radius: float = 0.0,
     ) -> None:
+        positive = number("speed", speed, low=0.0, strictly=True)
         for name, value in (
             ("center", frozen_array("center", center, (2,))),
             ("radius", number("radius", radius, low=0.0)),
-            ("speed", number("speed", speed, low=0.0, strictly=True)),
+            ("speed", number("speed", positive, low=SMALLEST_SPEED)),
             ("capture_radius", number("capture_radius", capture_radius, low=0.0)),
         ):
             object.__setattr__(self, name, value)
@@ -149,10 +158,10 @@ class PursuerDisk(Value):
         return self.towards(goal, self.radius)
 
     def require_faster_than(self, team: Team) -> None:
-        """Raise InputError if an evader is as fast as the pursuer, and so could flee for ever."""
+        """Raise InputError unless every evader `is_slower`; another could flee for ever."""
         fastest = int(team.speeds.argmax())
-        if team.speeds[fastest] >= self.speed:
+        if not is_slower(team.speeds[fastest], self.speed):
             raise InputError(
-                f"speeds: expected every evader to be slower than the pursuer ({self.speed:g}), "
-                f"got speeds[{fastest}] = {team.speeds[fastest]:g}"
+                "speeds: expected every evader to be slower than the pursuer "
+                f"({self.speed:.12g}), got speeds[{fastest}] = {team.speeds[fastest]:.12g}"
             )

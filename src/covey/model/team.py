@@ -24,6 +24,12 @@ from covey.model.value import Value
 
 DEFAULT_TURN_RATE = math.pi / 2
 
+LARGEST_HEADING = 1e9 + 1e6
+"""Radians. Double precision tells headings of this size apart to 1e-7.
+
+An evader that begins with 1e9 comes to no more than this by turning in 200 000 updates.
+"""
+
 
 @dataclass(frozen=True, eq=False)
 class Team(Value):
@@ -36,8 +42,8 @@ class Team(Value):
     positions
         (N, 2), lengths. N >= 1.
     headings
-        One number or (N,), radians counter-clockwise from +x. `PursuerDisk.headings_away` has
-        those that lead straight away from the pursuer.
+        One number or (N,), radians counter-clockwise from +x, up to 1e9 in size.
+        `PursuerDisk.headings_away` has those that lead straight away from the pursuer.
     speeds
         One number or (N,), lengths per time, >= 0. Default 0.25 (section V of the paper).
     turn_rates
@@ -127,7 +133,8 @@ def _headings(headings: npt.ArrayLike, count: int) -> Floats:
             f"headings: expected numbers, got {headings!r}; a team doesn't know where the pursuer "
             "is: disk.headings_away(positions) has the headings away from it"
         )
-    return frozen_array("headings", one_each("headings", headings, count), (count,))
+    each = one_each("headings", headings, count)
+    return frozen_array("headings", each, (count,), LARGEST_HEADING)
 
 
 def _turn_rates(

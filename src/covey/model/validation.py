@@ -16,8 +16,22 @@ Ints = npt.NDArray[np.int64]
 
 
 _MOST_SHOWN = 80
-LARGEST = 1e100
-"""Largest length, speed or rate: its square must be finite."""
+LARGEST = 1e50
+"""Largest length, speed, rate or time. Products of a few of them must be finite."""
+SMALLEST_SPEED = 1.0 / LARGEST
+"""Of a pursuer: a length over it must be finite."""
+MOST_STARTS = 100_000
+"""Of a search. Their random numbers take 64 bytes a start and evader."""
+_LEAD = 1e-12
+"""Least difference of the speeds of a pursuer and an evader, relative."""
+
+
+def is_slower(speed: float, pursuer_speed: float) -> bool:
+    """Tell whether an evader is slower, by a trillionth at least.
+
+    Speeds that are equal up to rounding leave capture times without a correct digit.
+    """
+    return speed < (1.0 - _LEAD) * pursuer_speed
 
 
 class InputError(ValueError):
@@ -27,11 +41,15 @@ class InputError(ValueError):
 def require_kind(name: str, value: object, kind: type) -> None:
     """Raise InputError unless a value is of a kind."""
     if not isinstance(value, kind):
-        raise InputError(f"{name}: expected a {kind.__name__}, got {_shown(value)}")
+        raise InputError(f"{name}: expected a {kind.__name__}, got {shown(value)}")
 
 
-def _shown(value: object) -> str:
-    text = repr(value)
+def shown(value: object) -> str:
+    """Return a value as a message shows it: shortened."""
+    try:
+        text = repr(value)
+    except ValueError:  # a whole number of thousands of digits
+        text = "a number of thousands of digits"
     return text if len(text) <= _MOST_SHOWN else f"{text[:_MOST_SHOWN]}…"
 
 
@@ -41,21 +59,25 @@ def read_only(array: Floats) -> Floats:
     return array
 
 
-def frozen_array(name: str, value: object, shape: tuple[int | None, ...]) -> Floats:
-    """Copy `value` to a read-only array of finite floats of `shape` (None: any length)."""
-    return read_only(checked_array(name, value, shape))
+def frozen_array(
+    name: str, value: object, shape: tuple[int | None, ...], largest: float = LARGEST
+) -> Floats:
+    """Copy `value` to a read-only array of floats of `shape` (None: any length)."""
+    return read_only(checked_array(name, value, shape, largest))
 
 
-def checked_array(name: str, value: object, shape: tuple[int | None, ...]) -> Floats:
-    """Copy `value` to an array of finite floats of `shape` (None: any length)."""
+def checked_array(
+    name: str, value: object, shape: tuple[int | None, ...], largest: float = LARGEST
+) -> Floats:
+    """Copy `value` to an array of floats of `shape` (None: any length), up to `largest` in size."""
     array = _numbers(name, value)
     if array.shape != shape and not _fits(array.shape, shape):
         wanted = ", ".join("N" if n is None else str(n) for n in shape)
         wanted += "," if len(shape) == 1 else ""
         raise InputError(f"{name}: expected an array of shape ({wanted}), got shape {array.shape}")
-    good = np.abs(array) <= LARGEST
+    good = np.abs(array) <= largest
     if not good.all():
-        _reject(name, array, ~good, f"finite numbers up to {LARGEST:g} in size")
+        _reject(name, array, ~good, f"finite numbers up to {largest:g} in size")
     return array
 
 
@@ -98,30 +120,32 @@ def number(
         wanted = "a finite number"
         if low > -np.inf:
             wanted += f" {'>' if strictly else '>='} {low:g}"
-        if high < np.inf:
-            wanted += f" {'and' if low > -np.inf else ''} <= {high:g}"
-        raise InputError(f"{name}: expected {wanted}, got {value!r}")
+        if high < np.inf or LARGEST < abs(result) < np.inf:
+            wanted += f"{' and' if low > -np.inf else ''} <= {min(high, LARGEST):g}"
+        raise InputError(f"{name}: expected {wanted}, got {shown(value)}")
     return result
 
 
-def whole_number(name: str, value: object, *, low: int) -> int:
-    """Return `value` as an int >= `low`."""
+def whole_number(name: str, value: object, *, low: int, high: int | None = None) -> int:
+    """Return `value` as an int >= `low` and, if `high` is given, <= `high`."""
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < low:
-        raise InputError(f"{name}: expected a whole number >= {low}, got {value!r}")
+        raise InputError(f"{name}: expected a whole number >= {low}, got {shown(value)}")
+    if high is not None and value > high:
+        raise InputError(f"{name}: expected a whole number <= {high}, got {shown(value)}")
     return int(value)
 
 
 def choice(name: str, value: object, allowed: Sequence[str]) -> str:
     """Return `value` if it is one of `allowed`."""
     if not isinstance(value, str) or value not in allowed:
-        raise InputError(f"{name}: expected one of {', '.join(allowed)}, got {value!r}")
+        raise InputError(f"{name}: expected one of {', '.join(allowed)}, got {shown(value)}")
     return value
 
 
 def listed(name: str, value: object) -> list[Any]:
     """Return the items of `value` as a list."""
     if isinstance(value, str) or not isinstance(value, Iterable):
-        raise InputError(f"{name}: expected a list, got {value!r}")
+        raise InputError(f"{name}: expected a list, got {shown(value)}")
     return list(value)
 
 
@@ -134,7 +158,7 @@ def permutation(name: str, value: object, count: int) -> Ints:
         fits = False
     if not fits:
         given = value.tolist() if isinstance(value, np.ndarray) else value
-        raise InputError(f"{name}: expected each evader 0..{count - 1} once, got {given!r}")
+        raise InputError(f"{name}: expected each evader 0..{count - 1} once, got {shown(given)}")
     return np.ascontiguousarray(array, dtype=np.int64)
 
 
@@ -150,7 +174,7 @@ def require_whole_team(name: str, sequence: tuple[int, ...], count: int) -> None
     """Raise InputError unless the sequence is one of `count` evaders."""
     if len(sequence) != count:
         raise InputError(
-            f"{name}: expected a sequence of all {count} evaders, got {list(sequence)}"
+            f"{name}: expected a sequence of all {count} evaders, got {shown(list(sequence))}"
         )
 
 
@@ -161,7 +185,7 @@ def _numbers(name: str, value: object) -> Floats:
             return array.astype(np.float64, copy=False)
     except ValueError:
         pass  # a ragged list
-    raise InputError(f"{name}: expected numbers, got {value!r}")
+    raise InputError(f"{name}: expected numbers, got {shown(value)}")
 
 
 def _reject(name: str, array: Floats, bad: npt.NDArray[np.bool_], wanted: str) -> None:

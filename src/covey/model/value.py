@@ -11,7 +11,7 @@ import numpy as np
 
 @dataclass(frozen=True, eq=False)
 class Value:
-    """A frozen dataclass that compares by its fields, of which some are arrays.
+    """A frozen dataclass that compares by its fields: arrays, tuples that hold arrays, others.
 
     A subclass is declared with `eq=False`: the comparison that dataclasses make can't compare
     arrays.
@@ -34,9 +34,12 @@ class Value:
 def _equal(one: Any, other: Any) -> bool:
     if isinstance(one, np.ndarray):
         return np.array_equal(one, other)
+    if isinstance(one, tuple):
+        return len(one) == len(other) and all(map(_equal, one, other))
     return bool(one == other)
 
 
 def _hashable(value: Any) -> Hashable:
-    # As numbers, not as bytes: 0.0 and -0.0 are equal.
-    return (value.shape, *value.ravel().tolist()) if isinstance(value, np.ndarray) else value
+    if isinstance(value, np.ndarray):  # as numbers, not as bytes: 0.0 and -0.0 are equal
+        return (value.shape, *value.ravel().tolist())
+    return tuple(map(_hashable, value)) if isinstance(value, tuple) else value

@@ -1,9 +1,11 @@
-"""The open-loop plan: the survival time that it guarantees, and the search for the best plan.
+"""Plans in open loop and plans that answer captures: what they guarantee, and the searches.
 
 Read `guarantee` (the inner half of eq. 6), then `open_loop`, `plan` itself, then `multistart`.
+`contingent` is about plans that answer captures.
 `compiled_objective` turns an objective into the kernels' form.
 """
 
+from covey.planning.contingent import ContingentPlan, DelayedGuarantee, plan_contingent
 from covey.planning.guarantee import (
     Guarantee,
     capture_times,
@@ -13,6 +15,8 @@ from covey.planning.guarantee import (
 from covey.planning.open_loop import Plan, PlanStatus, plan
 
 __all__ = [
+    "ContingentPlan",
+    "DelayedGuarantee",
     "Guarantee",
     "Plan",
     "PlanStatus",
@@ -20,4 +24,5 @@ __all__ = [
     "expected_survival",
     "guaranteed_survival",
     "plan",
+    "plan_contingent",
 ]

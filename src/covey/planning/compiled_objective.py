@@ -8,7 +8,7 @@ from covey.kernels.maximum.objective import Draws as CompiledDraws
 from covey.kernels.maximum.objective import Objective as CompiledObjective
 from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, TotalSurvival
 from covey.model.objectives import OBJECTIVES, SequenceDistribution, distribution_of
-from covey.model.validation import choice
+from covey.model.validation import choice, shown
 
 
 def compiled_objective(objective: Objective, count: int) -> CompiledObjective:
@@ -34,7 +34,7 @@ def checked_objective(objective: object) -> Objective:
     if not isinstance(objective, LastCapture | TotalSurvival | ExpectedSurvival):
         raise InputError(
             "objective: expected LastCapture(), TotalSurvival() or ExpectedSurvival(...), "
-            f"got {objective!r}"
+            f"got {shown(objective)}"
         )
     return objective
 

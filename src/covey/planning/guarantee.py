@@ -25,7 +25,7 @@ from covey.model import (
     TotalSurvival,
 )
 from covey.model.display import html_table
-from covey.model.validation import Floats, checked_array, permutation, require_kind
+from covey.model.validation import Floats, checked_array, permutation, require_kind, shown
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.long_calls import interceptions_of_minimum, interruptible
 from covey.planning.workspace import workspace
@@ -88,7 +88,7 @@ def about_center(team: Team, disk: PursuerDisk) -> tuple[Team, PursuerDisk]:
 
     There the rounding of positions is relative to the size of the game, wherever the game is.
     """
-    if not disk.center.any():
+    if disk.center.tolist() == [0.0, 0.0]:
         return team, disk
     return team.moved(-disk.center), disk.moved(-disk.center)
 
@@ -97,7 +97,7 @@ def longest_game(team: Team, disk: PursuerDisk) -> float:
     """Return a time by which a pursuer that keeps to any one sequence has captured everybody.
 
     An evader at distance d is captured within d / (v_p - v). Meanwhile the distance to the next
-    evader grows by no more than both can fly. A time of 0 is returned as infinity.
+    evader grows by no more than both can fly.
     """
     offsets = team.positions - disk.center
     farthest = float(np.hypot(offsets[:, 0], offsets[:, 1]).max()) + disk.radius
@@ -106,7 +106,7 @@ def longest_game(team: Team, disk: PursuerDisk) -> float:
     for _ in range(len(team)):
         gap = 2.0 * farthest + (disk.speed + fastest) * time
         time += gap / (disk.speed - fastest)
-    return time if time > 0.0 else math.inf
+    return time
 
 
 def capture_times(
@@ -189,18 +189,21 @@ def guaranteed_survival(
             "objective: expected LastCapture() or TotalSurvival(), got an expectation, which "
             "guarantees nothing; expected_survival computes it"
         )
-    team, disk = about_center(team, disk)
-    n = len(team)
     total = chosen.measure == "total"
-    checked, sequence = checked_array("turns", turns, (n,)), np.empty(n, np.int64)
+    checked = checked_array("turns", turns, (len(team),))
+    return worst_sequence(*about_center(team, disk), checked, total)
+
+
+def worst_sequence(team: Team, disk: PursuerDisk, turns: Floats, total: bool) -> Guarantee:
+    """Return the guarantee of checked turns (N,); `total`: of the sum of all survival times."""
+    n, evaders, pursuit = len(team), team.as_rows(), pursuit_of(disk)
+    sequence = np.empty(n, np.int64)
 
     def least(scratch: Workspace) -> float:
-        return minimum_over_sequences(
-            team.as_rows(), checked, pursuit_of(disk), total, math.inf, sequence, scratch
-        )
+        return minimum_over_sequences(evaders, turns, pursuit, total, math.inf, sequence, scratch)
 
-    work = interceptions_of_minimum(n, total)
-    return Guarantee(interruptible(least, n, total, work), tuple(sequence.tolist()))
+    time = interruptible(least, n, total, interceptions_of_minimum(n, total))
+    return Guarantee(time, tuple(sequence.tolist()))
 
 
 def expected_survival(
@@ -230,7 +233,7 @@ def expected_survival(
     """
     check_players(team, disk)
     if not isinstance(objective, ExpectedSurvival):
-        raise InputError(f"objective: expected ExpectedSurvival(...), got {objective!r}")
+        raise InputError(f"objective: expected ExpectedSurvival(...), got {shown(objective)}")
     team, disk = about_center(team, disk)
     checked = checked_array("turns", turns, (len(team),))
     problem = Problem(team.as_rows(), pursuit_of(disk), compiled_objective(objective, len(team)))

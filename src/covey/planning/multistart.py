@@ -23,7 +23,6 @@ from covey.kernels.maximum.multistart import (
 )
 from covey.kernels.maximum.problem import (
     CONVERGED,
-    STEPS_USED_UP,
     Iterate,
     Options,
     Problem,
@@ -34,8 +33,7 @@ from covey.planning.long_calls import LONG, interceptions_of, interruptible, new
 from covey.planning.workspace import workspace
 
 MAX_STEPS = 200
-GUESS_STEPS = 50
-"""Steps of an ascent while other guesses wait: one in a hundred takes more, and gains little."""
+"""Steps of an ascent: it rarely takes more than 50."""
 ASCENT_VALUES = 30
 """Values of the objective that an ascent computes, about."""
 PARALLEL = 9
@@ -94,6 +92,12 @@ class Search:
         self._work = ASCENT_VALUES * interceptions_of(problem.objective, self._size)
         self._elite = new_elite(self._size)
 
+    @property
+    def elite(self) -> list[Floats]:
+        """Turns of the best plans so far, up to three of different values, the best first."""
+        values, turns = self._elite
+        return [turns[k] for k in range(len(values)) if values[k] > -math.inf]
+
     def refine(self, iterate: Iterate) -> Ascents:
         """Ascend from a plan, which is overwritten."""
         known = iterate.working_set.used[0] > 0
@@ -114,17 +118,6 @@ class Search:
         if self._deadline < math.inf or (long and count > 1):
             return self._run_parallel(best, count)
         return best.joined(self._ascend(0, count))
-
-    def finish(self, ascents: Ascents) -> Ascents:
-        """Go on from the best plan if its steps were used up while other guesses waited."""
-        if ascents.status != STEPS_USED_UP or not ascents.in_time:
-            return ascents
-        refined = self.refine(ascents.iterate)  # never worse
-        return refined._replace(
-            starts=ascents.starts,
-            steps=ascents.steps + refined.steps,
-            interceptions=ascents.interceptions + refined.interceptions,
-        )
 
     def _run_parallel(self, best: Ascents, count: int) -> Ascents:
         """Ascend from `count` guesses, a batch at a time in parallel."""
@@ -148,7 +141,7 @@ class Search:
         """Ascend from `count` guesses, from guess number `first` on, in this thread."""
         iterate = Iterate(np.zeros(self._size), new_working_set(self._size))
         guesses = Guesses(self._uniforms, self._elite, first, count)
-        options = Options(RADIUS_RANDOM, self._tolerance, GUESS_STEPS)
+        options = Options(RADIUS_RANDOM, self._tolerance, MAX_STEPS)
         scratch = workspace(self._size, self._total, stop)
         found = multistart(self._problem, guesses, options, -math.inf, iterate, scratch)
         return _ascents(found, iterate, count)

@@ -17,15 +17,23 @@ from covey.kernels.maximum.working_set import WorkingSet, new_working_set
 from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, PursuerDisk, Team
 from covey.model.angles import wrap_angle
 from covey.model.display import html_table, one_line
-from covey.model.validation import Floats, frozen_array, number, read_only, whole_number
+from covey.model.validation import (
+    MOST_STARTS,
+    Floats,
+    frozen_array,
+    number,
+    read_only,
+    shown,
+    whole_number,
+)
 from covey.model.value import Value
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.guarantee import (
     about_center,
     check_game,
-    guaranteed_survival,
     pursuit_of,
     value_of_plan,
+    worst_sequence,
 )
 from covey.planning.multistart import NONE, Ascents, Search
 
@@ -45,11 +53,12 @@ class PlanStatus(StrEnum):
     TIME_LIMIT = "the time limit ended the search; the best turns found until then"
 
 
-_STATUS = {
+PLAN_STATUS = {
     CONVERGED: PlanStatus.CONVERGED,
     STALLED: PlanStatus.STALLED,
     STEPS_USED_UP: PlanStatus.STEPS_USED_UP,
 }
+"""What the kernels' numbers mean."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,9 +150,9 @@ def plan(
     starts
         How many starts are improved to a local maximum: the warm start, flight straight away
         from the disk's centre, random ones, each the best of eight, and variations of the best
-        plans so far. More starts include the fewer, and never give less. None: as many as find the
-        best plan known in most games, see `default_starts`. From nine evaders on, four starts at a
-        time run in parallel; the result is the same on any number of cores.
+        plans so far. More starts include the fewer, so that they never give less. None: as many as
+        find the best plan known in most games, see `default_starts`. From nine evaders on, four
+        starts at a time run in parallel; the result is the same on any number of cores.
     tolerance
         An ascent ends when a step promises less than this, relative to the value.
     time_limit
@@ -179,7 +188,11 @@ def plan(
         number("time_limit", time_limit, low=0.0)
     team, disk = about_center(team, disk)
     n = len(team)
-    starts = default_starts(n) if starts is None else whole_number("starts", starts, low=1)
+    starts = (
+        default_starts(n)
+        if starts is None
+        else whole_number("starts", starts, low=1, high=MOST_STARTS)
+    )
     deadline = math.inf if time_limit is None else time.perf_counter() + time_limit
     objective = checked_objective(objective)
     problem = Problem(team.as_rows(), pursuit_of(disk), compiled_objective(objective, n))
@@ -199,7 +212,7 @@ def _best_of(search: Search, warm: Iterate | None, guesses: int) -> Ascents:
     best = NONE if warm is None else search.refine(warm)
     if guesses > 0:
         best = search.run(best, guesses)
-    return search.finish(best)
+    return best
 
 
 def default_starts(n: int) -> int:
@@ -243,7 +256,7 @@ def _plan_of(
 ) -> Plan:
     turns = best.iterate.turns
     # What the search found is computed again from the turns alone.
-    survival_time = value = guaranteed_survival(team, disk, turns).time
+    survival_time = value = worst_sequence(team, disk, turns, total=False).time
     if not isinstance(objective, LastCapture):
         value = value_of_plan(team, disk, turns, objective)
     return Plan(
@@ -254,7 +267,7 @@ def _plan_of(
         value=value,
         critical_sequences=tuple(sequence for sequence, _ in critical),
         weights=tuple(weight for _, weight in critical),
-        status=_STATUS[best.status] if best.in_time else PlanStatus.TIME_LIMIT,
+        status=PLAN_STATUS[best.status] if best.in_time else PlanStatus.TIME_LIMIT,
         starts=best.starts,
         steps=best.steps,
         interceptions=best.interceptions,
@@ -275,7 +288,7 @@ def _turns_of(warm_start: Plan | npt.ArrayLike, team: Team) -> Floats:
     turns = warm_start.turns if isinstance(warm_start, Plan) else warm_start
     checked = frozen_array("warm_start", turns, (len(team),))
     if np.abs(checked).max() > math.pi:
-        raise InputError(f"warm_start: expected turns in [-π, π], got {checked.tolist()}")
+        raise InputError(f"warm_start: expected turns in [-π, π], got {shown(checked.tolist())}")
     return np.where(team.turn_rates > 0.0, checked, 0.0)
 
 

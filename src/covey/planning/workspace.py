@@ -8,6 +8,7 @@ from __future__ import annotations
 import threading
 
 from covey.kernels.arrays import Workspace, new_workspace
+from covey.kernels.contingent.scratch import TreeScratch, new_tree_scratch
 from covey.model.validation import Ints
 
 SMALL = 14
@@ -15,6 +16,8 @@ SMALL = 14
 
 LARGEST_KEPT = 18
 """Evaders up to which the last workspace is kept: 90 MB, 210 MB with room for sums."""
+
+_MOST_TREES = 16  # shapes of trees, of which the scratch is kept
 
 _kept = threading.local()
 
@@ -36,3 +39,13 @@ def workspace(size: int, total: bool = False, stop: Ints | None = None) -> Works
             del kept[large]
         kept[size, total] = new_workspace(size, total)
     return kept[size, total]
+
+
+def tree_scratch(n: int, depth: int) -> TreeScratch:
+    """Return the scratch of ascents on trees of n evaders, kept likewise."""
+    kept: dict[tuple[int, int], TreeScratch] = _kept.__dict__.setdefault("trees", {})
+    if (n, depth) not in kept:
+        if len(kept) == _MOST_TREES:
+            kept.clear()
+        kept[n, depth] = new_tree_scratch(n, depth)
+    return kept[n, depth]

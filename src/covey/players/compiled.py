@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple, TypeGuard
 
 from covey.kernels.arrays import Workspace
@@ -10,6 +11,7 @@ from covey.kernels.play.game import allocate_log, grow_log, play
 from covey.kernels.play.policy import ReplanOptions, TeamMemory
 from covey.kernels.play.rules import State
 from covey.model import Objective, PursuerDisk, Team
+from covey.model.validation import LARGEST
 from covey.planning import Plan, plan
 from covey.planning.compiled_objective import checked_objective
 from covey.planning.guarantee import about_center, check_game, longest_game
@@ -58,8 +60,10 @@ def checked_settings(
 ) -> Settings:
     """Return the settings of a game; raise InputError if it can't be played."""
     check_game(team, disk)
-    limit = longest_game(team, disk) if time_limit is None else time_limit
-    return Settings(sensing, update_time, seed, limit, checked_objective(objective))
+    if time_limit is None:
+        longest = longest_game(team, disk)
+        time_limit = longest if 0.0 < longest <= LARGEST else math.inf
+    return Settings(sensing, update_time, seed, time_limit, checked_objective(objective))
 
 
 def initial_game(

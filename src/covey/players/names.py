@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from covey.model.validation import choice
+from covey.players.pursuers.assured import AssuredPursuer
 from covey.players.pursuers.committed import CommittedPursuer, FlyingPursuer, UncommittedPursuer
 from covey.players.pursuers.fixed_order import BestSequence, FixedSequence, RandomSequence
 from covey.players.pursuers.nearest_first import NearestFirst
 from covey.players.teams.constant_heading import ConstantHeading
+from covey.players.teams.contingent import Contingent
 from covey.players.teams.known_sequence import KnownSequence
 from covey.players.teams.largest_distance import LargestDistance
 from covey.players.teams.open_loop import IterativeOpenLoop, OpenLoop
@@ -19,6 +21,7 @@ from covey.simulation import PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStr
 TEAMS: Mapping[str, Callable[..., TeamStrategy]] = {
     "open-loop": OpenLoop,
     "iterative-open-loop": IterativeOpenLoop,
+    "contingent": Contingent,
     "constant-heading": ConstantHeading,
     "straight-away": StraightAway,
     "hold-course": HoldCourse,
@@ -33,6 +36,7 @@ PURSUERS: Mapping[str, Callable[..., PursuerStrategy]] = {
     "patient": UncommittedPursuer,
     "fixed-sequence": FixedSequence,
     "best-sequence": BestSequence,
+    "assured": AssuredPursuer,
     "random-sequence": RandomSequence,
     "nearest-first": NearestFirst,
 }

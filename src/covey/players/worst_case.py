@@ -15,6 +15,7 @@ from covey.kernels.play.policy import TeamMemory
 from covey.kernels.play.rules import State
 from covey.kernels.play.to_capture import guaranteed_value, play_to_capture
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team, objective_value
+from covey.model.display import html_table, one_line
 from covey.model.validation import number
 from covey.planning.long_calls import interruptible
 from covey.planning.workspace import workspace
@@ -71,6 +72,24 @@ class WorstCase:
     delays: tuple[float, ...]
     scope: WorstCaseScope
     flights: int
+
+    def __repr__(self) -> str:
+        """Return the last capture, the order that ends so early, and who was considered."""
+        return one_line(
+            "WorstCase",
+            survival_time=self.survival_time,
+            sequence=self.sequence,
+            scope=self.scope,
+        )
+
+    def _repr_html_(self) -> str:
+        columns = {
+            "capture": range(1, len(self.sequence) + 1),
+            "evader": self.sequence,
+            "time": self.capture_times,
+            "delay": self.delays,
+        }
+        return html_table(repr(self), columns)
 
 
 class Capture(NamedTuple):

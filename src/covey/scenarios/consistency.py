@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from covey.kernels.minimum.last_capture import MOST_EVADERS
+from covey.model.validation import is_slower
 from covey.scenarios.mistakes import KeyPath, Mistake, look, wanted_but_got
 from covey.scenarios.schema import PursuerSection, TeamSection
 from covey.scenarios.values import (
@@ -45,8 +46,8 @@ def too_fast(path: KeyPath, speed: float, limit: float, note: str = "") -> Mista
     """Return the mistake of an evader's speed that isn't below `limit`, the pursuer's."""
     return Mistake(
         path,
-        f"expected every evader to be slower than the pursuer ({limit:g}), or it could flee for "
-        f"ever; got {speed:g}{note}",
+        f"expected every evader to be slower than the pursuer ({limit:.12g}), or it could flee for "
+        f"ever; got {speed:.12g}{note}",
     )
 
 
@@ -86,7 +87,7 @@ def _speeds(document: Document) -> Iterator[Mistake]:
     limit = as_positive(look(document, "pursuer", "speed", default=_default(PursuerSection)))
     for path, given in _all_speeds(document):
         speed = as_not_negative(given)
-        if limit is not None and speed is not None and speed >= limit:
+        if limit is not None and speed is not None and not is_slower(speed, limit):
             note = "" if look(document, *path) is not None else ", the default"
             yield too_fast(path, speed, limit, note)
 

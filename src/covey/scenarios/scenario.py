@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from covey.bounds import Bracket, bracket
 from covey.model import LastCapture, Objective, PursuerDisk, Team
 from covey.model.value import Value
-from covey.planning import Plan, plan
+from covey.planning import ContingentPlan, Plan, plan, plan_contingent
 from covey.players import IterativeOpenLoop, OpenLoop, WorstCase, simulate, worst_case
 from covey.players.names import team_strategy
 from covey.simulation import Game, PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStrategy
@@ -55,6 +55,10 @@ class Scenario(Value):
             seed=self.seed,
             starts=self._starts,
         )
+
+    def plan_contingent(self, depth: int | None = None) -> ContingentPlan:
+        """Return the plan for the last capture that answers captures, see `plan_contingent`."""
+        return plan_contingent(self.team, self.disk, depth, seed=self.seed)
 
     def bracket(self) -> Bracket:
         """Return the plan for the last capture, and what no team could be sure to exceed."""

@@ -55,6 +55,7 @@ class Entry:
 _PARAMETERS: Mapping[str, Any] = {
     "starts": AtLeastOne,
     "restarts": Whole,
+    "depth": Whole,
     "replan_time": NotNegative,
     "margin": Margin,
     "offset": Offset,

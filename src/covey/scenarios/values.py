@@ -24,6 +24,7 @@ from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, cor
 
 from covey.kernels.minimum.last_capture import MOST_EVADERS
 from covey.model import InputError
+from covey.model.validation import LARGEST
 
 WANTED = "wanted"
 """Type of the error of a value; its context gives `words`, what was wanted."""
@@ -78,8 +79,15 @@ class ValueType:
         plain = value.item() if getattr(value, "ndim", None) == 0 else value  # a NumPy number
         result = self.read(plain)
         if result is None:
-            raise wanted(self.words)
+            raise wanted(_SIZE if _is_too_large(plain) else self.words)
         return result
+
+
+_SIZE = f"a number of at most {LARGEST:g} in size"
+
+
+def _is_too_large(value: object) -> bool:
+    return isinstance(value, int | float) and LARGEST < abs(value) < math.inf
 
 
 def is_single(value: object) -> bool:
@@ -177,8 +185,9 @@ def as_point(value: object) -> tuple[float, float] | None:
 
 
 def _within(value: float | None, low: float, high: float) -> float | None:
-    """Return `value` if it is finite and in [low, high]."""
-    return value if value is not None and math.isfinite(value) and low <= value <= high else None
+    """Return `value` if it is in [low, high] and no larger in size than `LARGEST`."""
+    inside = value is not None and abs(value) <= LARGEST and low <= value <= high
+    return value if inside else None
 
 
 def as_positive(value: object) -> float | None:

@@ -22,6 +22,7 @@ class Played(NamedTuple):
     guarantee: float  # survival time that the first plan guaranteed
     planned_value: float  # of the objective, by the first plan
     log: GameLog  # without rows if the game wasn't recorded
+    assurances: Floats | None = None  # (T,) the pursuer's; None: it assured nothing
 
 
 def outcome_of(played: Played) -> Outcome:
@@ -45,6 +46,8 @@ def build_record(played: Played) -> Game:
     """
     setup, log = played.setup, _moved(cut_log(played.log), played.setup.disk.center)
     series = {field: each.logged(log) for field, each in time_series(len(setup.team)).items()}
+    if played.assurances is not None:
+        series["assurances"] = played.assurances
     if setup.settings.sensing == "hidden" and setup.position is None:
         series["pursuer_positions"] = _explaining_flight(setup.disk, log)
     return Game(

@@ -32,6 +32,7 @@ def require_consistent(game: Game) -> None:
     _require_settings(game)
     _require_numbers(game)
     _require_times(game)
+    _require_assurances(game)
     captured_rows = _capture_rows(game)
     alive = np.arange(len(game.times))[:, None] < captured_rows
     _require_outcome(game, captured_rows)
@@ -91,6 +92,18 @@ def _require_times(game: Game) -> None:
     _require(steps >= 0.0, "times", "a time that is not after the next one")
     longest = game.update_time + _ROUNDING * (game.update_time + times[-1])
     _require(steps <= longest, "times", f"the next time at most {game.update_time:g} later")
+
+
+def _require_assurances(game: Game) -> None:
+    """Check that the pursuer's assurance never rises, and that nobody is alive after it."""
+    assured, times = game.assurances, game.times
+    kind = assured.dtype.kind == "f" and assured.shape == times.shape
+    _require(kind, "assurances", f"{len(times)} numbers")
+    _require(assured >= 0.0, "assurances", "a number >= 0, or inf")
+    kept = assured[1:] <= assured[:-1] * (1.0 + _ROUNDING)
+    _require(kept, "assurances", "no later time than the row before has", after=1)
+    lasting = times[:-1] <= assured[:-1] * (1.0 + _ROUNDING)
+    _require(lasting, "assurances", "a time by which everybody is captured")
 
 
 def _capture_rows(game: Game) -> Ints:

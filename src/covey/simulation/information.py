@@ -5,15 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels.play.rules import NOBODY, State
+from covey.kernels.play.rules import NOBODY, Rules, State
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team
-from covey.model.validation import Floats, Ints, frozen_array, read_only
+from covey.model.validation import Floats, Ints, frozen_array, number, read_only, shown
 from covey.simulation.strategy import Chase, Fly, Situation
 
-_NO_ROWS = np.empty(0, np.int64)
+ROUNDING = 1e-9
+"""Relative, of an assured time."""
 
 
 def team_information(
@@ -34,7 +36,9 @@ def team_information(
     )
 
 
-def pursuer_information(known_to_team: Situation, state: State, *, moves: bool) -> Situation:
+def pursuer_information(
+    known_to_team: Situation, state: State, rules: Rules, *, moves: bool
+) -> Situation:
     """Return what the pursuer knows: also the new turns and, if it `moves`, its position.
 
     In a game that began with a disk, a visible pursuer has no position before it first moves.
@@ -44,6 +48,8 @@ def pursuer_information(known_to_team: Situation, state: State, *, moves: bool) 
         known_to_team,
         turns=read_only(state.turns[: len(known_to_team.turns)].copy()),
         place=read_only(state.pursuer[:2].copy()) if has_position else None,
+        until_update=min(rules.update_time, rules.time_limit - known_to_team.time),
+        chooses_start=moves and not has_position,
     )
 
 
@@ -58,29 +64,67 @@ def checked_turns(turns: object, alive: int) -> Floats:
     return checked
 
 
-def checked_decision(
-    decision: object, living: Sequence[int], disk: PursuerDisk, *, moves: bool
-) -> tuple[Ints, int, tuple[float, float]]:
-    """Return what the pursuer decided: its sequence, its target, its velocity.
+class Decision(NamedTuple):
+    """A decision of the pursuer that the rules allow."""
 
-    The sequence is in rows of the living. The target is a row, or `NOBODY`; then the velocity
-    counts. A pursuer that doesn't move is a disk, and its velocity must be 0.
+    rows: Ints  # of the living: its sequence
+    target: int  # a row, or `NOBODY`; then the velocity counts
+    velocity: tuple[float, float]
+    offset: tuple[float, float]  # from the disk's centre, of a pursuer that chooses its start
+    assurance: float
+
+
+def checked_decision(decision: object, known: Situation, *, moves: bool) -> Decision:
+    """Return what a pursuer decided that knew this.
+
+    A pursuer that doesn't move is a disk, and its velocity must be 0.
     """
-    if isinstance(decision, Chase):
-        rows = _chosen_rows(decision, living)
-        return rows, int(rows[0]), (0.0, 0.0)
+    if not isinstance(decision, Chase | Fly):
+        raise InputError(f"pursuer's decision: expected Chase or Fly, got {shown(decision)}")
+    name = type(decision).__name__
+    least = 1 if isinstance(decision, Chase) else 0
+    rows = _chosen_rows(name, decision.sequence, known.evaders, least)
+    assurance = _assured(name, decision.assurance)
     if isinstance(decision, Fly):
-        return _NO_ROWS, NOBODY, _chosen_velocity(decision, disk, moves=moves)
-    raise InputError(f"pursuer's decision: expected Chase or Fly, got {decision!r}")
+        velocity = _chosen_velocity(decision, known.disk, moves=moves)
+        return Decision(rows, NOBODY, velocity, _chosen_offset(decision, known), assurance)
+    return Decision(rows, int(rows[0]), (0.0, 0.0), (0.0, 0.0), assurance)
 
 
-def _chosen_rows(chase: Chase, living: Sequence[int]) -> Ints:
-    sequence = list(chase.sequence)
-    if not sequence or len(set(sequence)) < len(sequence) or not set(sequence) <= set(living):
+def _chosen_rows(name: str, chosen: Sequence[int], living: Sequence[int], least: int) -> Ints:
+    sequence, distinct = list(chosen), set(chosen)
+    if not least <= len(sequence) == len(distinct) or not distinct <= set(living):
         raise InputError(
-            f"Chase: expected a sequence of living evaders {list(living)}, got {sequence}"
+            f"{name}: expected a sequence of living evaders {list(living)}, got {shown(sequence)}"
         )
     return np.array([living.index(i) for i in sequence], dtype=np.int64)
+
+
+def _assured(name: str, assurance: float) -> float:
+    if assurance == math.inf:
+        return assurance
+    return number(f"{name}.assurance", assurance, low=0.0)
+
+
+def require_kept_assurance(assurance: float, time: float, before: Sequence[float]) -> None:
+    """Raise InputError if an assurance is above the one before, or if its time has passed."""
+    low, high = time, before[-1] if before else math.inf
+    if not low * (1.0 - ROUNDING) <= assurance <= high * (1.0 + ROUNDING):
+        raise InputError(
+            f"assurance of the pursuer at time {time:g}: expected a time in [{low:g}, {high:g}], "
+            f"got {assurance:g}; it never rises, and everybody is captured by it"
+        )
+
+
+def _chosen_offset(fly: Fly, known: Situation) -> tuple[float, float]:
+    x, y = frozen_array("Fly.offset", fly.offset, (2,)).tolist()
+    largest = known.disk.radius if known.chooses_start else 0.0
+    if math.hypot(x, y) > largest * (1.0 + 1e-12):
+        raise InputError(
+            f"Fly.offset: expected a point at most {largest:g} from the disk's centre, "
+            f"got {[x, y]}; only a visible pursuer chooses its start in the disk, at time 0"
+        )
+    return x, y
 
 
 def _chosen_velocity(fly: Fly, disk: PursuerDisk, *, moves: bool) -> tuple[float, float]:

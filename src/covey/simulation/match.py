@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from covey.kernels.play.game import (
@@ -23,6 +25,7 @@ from covey.simulation.information import (
     checked_decision,
     checked_turns,
     pursuer_information,
+    require_kept_assurance,
     team_information,
 )
 from covey.simulation.record import Game
@@ -64,12 +67,8 @@ class Match:
         settings: Settings,
     ) -> None:
         compiled_objective(settings.objective, len(team))  # an error before anybody flies
-        self._plan = in_own_frame(
-            evaders, policy_of("evaders", evaders, settings.seed), disk.center
-        )
-        self._decide = in_own_frame(
-            pursuer, policy_of("pursuer", pursuer, settings.seed), disk.center
-        )
+        self._plan = in_own_frame(policy_of("evaders", evaders, settings.seed), disk.center)
+        self._decide = in_own_frame(policy_of("pursuer", pursuer, settings.seed), disk.center)
         strategies = {"evaders": description(evaders), "pursuer": description(pursuer)}
         position = position_of(pursuer, disk)
         self._setup = GameSetup(team, disk, settings, strategies, position)
@@ -78,6 +77,7 @@ class Match:
         own = None if position is None else position - disk.center
         self._state = first_state(*about_center(team, disk), own)
         self._log = allocate_log(256, len(team))
+        self._assurances: list[float] = []
         self._announce_plan()
         turns = self._log.evaders[0, :, 3]
         self._planned_value = value_of_plan(team, disk, turns, settings.objective)
@@ -106,7 +106,9 @@ class Match:
     def played(self) -> Played:
         """Return the game as it was played until now."""
         guarantee = float(self._log.guarantees[0])
-        return Played(self._setup, guarantee, self._planned_value, self._log)
+        # The last row is one at which nothing is decided.
+        assurances = np.array([*self._assurances, *(self._assurances or [math.inf])[-1:]])
+        return Played(self._setup, guarantee, self._planned_value, self._log, assurances)
 
     def _announce_plan(self) -> None:
         alive = int(self._state.alive[0])
@@ -120,12 +122,15 @@ class Match:
     def _fly(self) -> int:
         """Fly what the pursuer decides, and return the row of the captured evader, or `NOBODY`."""
         state = self._state
-        decision = self._decide(pursuer_information(self._known, state, moves=self._moves))
-        rows, target, velocity = checked_decision(
-            decision, self._known.evaders, self._setup.disk, moves=self._moves
-        )
-        self._log.intended[self._log.counters[ROWS] - 1, : len(rows)] = state.ids[rows]
-        return fly(state, self._rules, target, *velocity)
+        known = pursuer_information(self._known, state, self._rules, moves=self._moves)
+        decision = checked_decision(self._decide(known), known, moves=self._moves)
+        require_kept_assurance(decision.assurance, known.time, self._assurances)
+        self._assurances.append(decision.assurance)
+        self._log.intended[self._log.counters[ROWS] - 1, : len(decision.rows)] = state.ids[
+            decision.rows
+        ]
+        state.pursuer[:2] += decision.offset
+        return fly(state, self._rules, decision.target, *decision.velocity)
 
     def _write(self) -> None:
         if self._log.counters[ROWS] == len(self._log.times):

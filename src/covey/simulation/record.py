@@ -87,6 +87,10 @@ class Game(Value):
         (T, N) signed turns that are still planned; 0 for captured evaders.
     guarantees : numpy.ndarray
         (T,) guaranteed survival time, from that row on, of the plan that is flown.
+    assurances : numpy.ndarray
+        (T,) time since the start of the game by which the pursuer has captured everybody, whatever
+        the evaders do, by what it knew at that row; inf if its strategy assures nothing. It never
+        rises.
     critical_sequences, pursuer_sequences : numpy.ndarray
         (T, N) the order in which the flown plan would be captured earliest, and the order that the
         pursuer has in mind, if its strategy names one; filled up with -1.
@@ -116,11 +120,17 @@ class Game(Value):
     evader_headings: Floats
     evader_turns: Floats
     guarantees: Floats
+    assurances: Floats
     critical_sequences: Ints
     pursuer_sequences: Ints
     pursuer_positions: Floats
     disk_centers: Floats
     disk_radii: Floats
+
+    @property
+    def assurance(self) -> float:
+        """Time by which the pursuer had, at time 0, assured the last capture; inf: none."""
+        return float(self.assurances[0])
 
     def __repr__(self) -> str:
         """Return who played, what was guaranteed, and what came of it, in one line."""

@@ -23,6 +23,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from covey.model import InputError, LastCapture, PursuerDisk, Team
+from covey.model.validation import Floats, Ints, shown
 from covey.simulation.consistency import require_consistent
 from covey.simulation.files import whole_file
 from covey.simulation.record import Game, GameStatus
@@ -187,8 +188,9 @@ def _read(content: bytes) -> tuple[dict[str, Any], Any]:
     header = json.loads(notes[_KEY], object_hook=_number)
     if header["format"] != FORMAT:
         raise _NotARecordError(
-            f"written by covey {header['version']} in record format {header['format']!r}, and this "
-            f"covey {version('covey')} reads format {FORMAT}; use that covey, or simulate anew"
+            f"written by covey {shown(header['version'])} in record format "
+            f"{shown(header['format'])}, and this covey {version('covey')} reads format {FORMAT}; "
+            f"use that covey, or simulate anew"
         )
     if notes[_CHECKSUM_KEY] != _checksum(notes[_KEY], table):
         raise ValueError("checksum")
@@ -197,10 +199,10 @@ def _read(content: bytes) -> tuple[dict[str, Any], Any]:
 
 def _game(header: Mapping[str, Any], table: Any) -> Game:
     team = Team(**header["team"])
-    arrays = {}
+    arrays: dict[str, Any] = {}
     for field, series in time_series(len(team)).items():
         names = np.array(series.columns)
-        flat = np.column_stack([table.column(name).to_numpy() for name in names.ravel()])
+        flat = np.column_stack([_column(table, name) for name in names.ravel()])
         arrays[field] = flat.reshape(-1, *names.shape)
     return Game(
         team=team,
@@ -219,6 +221,14 @@ def _game(header: Mapping[str, Any], table: Any) -> Game:
         capture_times=np.array(header["capture_times"], dtype=np.float64),
         **arrays,
     )
+
+
+def _column(table: Any, name: str) -> Floats | Ints:
+    """Return a column (T,); records of earlier versions have no assurances."""
+    if name == "assurance" and name not in table.column_names:
+        return np.full(len(table), math.inf)
+    column: Floats | Ints = table.column(name).to_numpy()
+    return column
 
 
 def _plain(value: object) -> object:

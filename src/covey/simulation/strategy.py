@@ -6,15 +6,16 @@ function that is called at every decision. A plain function that needs no memory
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team
-from covey.model.validation import Floats, frozen_array
+from covey.model.validation import Floats, frozen_array, shown
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +40,10 @@ class Situation:
         What the game is about, in the numbers of the whole team.
     place : numpy.ndarray or None
         (2,) position of the pursuer. None for the team, and for a pursuer that is a disk only.
+    until_update : float
+        Time until the next update. A capture brings a decision before it.
+    chooses_start : bool
+        Whether the pursuer has still to choose where in the disk it starts; see `Fly.offset`.
     """
 
     time: float
@@ -48,6 +53,8 @@ class Situation:
     turns: Floats
     objective: Objective = LastCapture()  # noqa: RUF009 frozen
     place: Floats | None = None
+    until_update: float = math.inf
+    chooses_start: bool = False
 
     @property
     def pursuer(self) -> PursuerDisk:
@@ -70,9 +77,13 @@ class Chase:
     ----------
     sequence : tuple of int
         Numbers of living evaders. The first is flown to; the others are for the record.
+    assurance : float
+        For the record: time since the start of the game by which this pursuer has captured
+        everybody, whatever the evaders do. Default: it assures nothing.
     """
 
     sequence: tuple[int, ...]
+    assurance: float = math.inf
 
 
 @dataclass(frozen=True)
@@ -83,9 +94,19 @@ class Fly:
     ----------
     velocity : tuple of float
         (2,), not faster than the pursuer's speed. Default: it waits.
+    sequence : tuple of int
+        For the record: the order in which it means to capture the living. Default: it doesn't say.
+    assurance : float
+        For the record, as in `Chase`.
+    offset : tuple of float
+        (2,) from the disk's centre to where the pursuer starts, if it still has to choose that: a
+        visible pursuer, at time 0 of a game that begins with a disk. Default: at the centre.
     """
 
     velocity: tuple[float, float] = (0.0, 0.0)
+    sequence: tuple[int, ...] = ()
+    assurance: float = math.inf
+    offset: tuple[float, float] = (0.0, 0.0)
 
 
 TeamPolicy = Callable[[Situation], npt.ArrayLike]
@@ -93,6 +114,7 @@ TeamPolicy = Callable[[Situation], npt.ArrayLike]
 
 PursuerPolicy = Callable[[Situation], Chase | Fly]
 
+Function = TypeVar("Function", bound=Callable[..., Any])
 Policy = Callable[[Situation], Any]
 """Of either side, before its decisions are checked."""
 
@@ -169,16 +191,22 @@ def policy_of(role: str, strategy: object, seed: int) -> Policy:
         return strategy
     raise InputError(
         f"{role}: expected a strategy (a value with a method start(seed)) or a function of a "
-        f"Situation, got {strategy!r}"
+        f"Situation, got {shown(strategy)}"
     )
 
 
-def in_own_frame(strategy: object, policy: Policy, origin: Floats) -> Policy:
+def in_any_frame(policy: Function) -> Function:
+    """Mark a policy whose decisions don't depend on the frame; see `in_own_frame`."""
+    policy.in_any_frame = True  # type: ignore[attr-defined]
+    return policy
+
+
+def in_own_frame(policy: Policy, origin: Floats) -> Policy:
     """Return a policy that is called with situations of the game's own frame.
 
-    The origin of that frame is `origin` (2,). Only a strategy that says so, by an attribute
-    `in_any_frame` that is true, sees situations of that frame, without rounding.
+    The origin of that frame is `origin` (2,). A policy that is marked `in_any_frame` sees these
+    situations as they are, so without rounding; others see them in the user's coordinates.
     """
-    if getattr(strategy, "in_any_frame", False) or not origin.any():
+    if getattr(policy, "in_any_frame", False) or not origin.any():
         return policy
     return lambda situation: policy(situation.moved(origin))

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from covey.kernels.play.game import GameLog
 
@@ -21,6 +24,7 @@ def time_series(count: int) -> dict[str, TimeSeries]:
     return {
         "times": TimeSeries(lambda log: log.times, "time"),
         "guarantees": TimeSeries(lambda log: log.guarantees, "guarantee"),
+        "assurances": TimeSeries(lambda log: np.full(len(log.times), math.inf), "assurance"),
         "disk_centers": TimeSeries(lambda log: log.pursuers[:, 2:4], ["disk_x", "disk_y"]),
         "disk_radii": TimeSeries(lambda log: log.pursuers[:, 4], "disk_radius"),
         "pursuer_positions": TimeSeries(

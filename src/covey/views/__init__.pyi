@@ -14,4 +14,5 @@ from .film.mp4 import require_video as require_video
 from .games.game import draw_game as draw_game
 from .games.plan import draw_plan as draw_plan
 from .games.snapshots import draw_snapshots as draw_snapshots
+from .games.tree import draw_contingent as draw_contingent
 from .kit.saving import save as save

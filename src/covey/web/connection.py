@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import asyncio
 import json
+import math
 import time
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
-from typing import Any
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from covey.web.fair_threads import FairThreads
 from covey.web.messages import is_quick
+from covey.web.origin import address_of
 from covey.web.rate_limit import TokenBucket
 from covey.web.session import Reply, Session, error_reply
 
@@ -25,14 +26,15 @@ _MOST_WAITING = 64
 _REFUSAL = 0.001
 """Seconds for which nothing is read after a refused message. A flood waits in its own network."""
 
-_WORK_RATE, _WORK_BURST = 0.2, 2.0
-"""Of a processor's time, for what takes long: the share of a page, and the seconds it may save up.
+_TURN = 0.003
+"""Seconds after which a page lets others go first. A frame of five evaders takes 2 ms."""
 
-A game of five evaders takes 0.1 s to set up, one of ten at most 1 s.
-"""
+Turn = tuple[list[str | bytes], bool]
+"""The contents of messages, and whether all is answered."""
 
-_slow_thread = ThreadPoolExecutor(1, "covey-slow-replies")
-"""Of all pages: what takes long takes one processor at most, and frames have the others."""
+_quick_threads: FairThreads[Turn] = FairThreads(1, "covey-frames")
+_slow_threads: FairThreads[Turn] = FairThreads(1, "covey-slow-replies")
+"""What takes long waits in one thread for the worker."""
 
 Inbox = asyncio.Queue[str | bytes]
 
@@ -74,7 +76,7 @@ async def _read(websocket: WebSocket, inbox: Inbox) -> None:
             continue
         if complaints.take(time.monotonic()):
             text = f"expected at most {_MESSAGES_PER_SECOND:g} messages a second; some were dropped"
-            await _send(websocket, _encoded(error_reply(text)))
+            await _send(websocket, json.dumps(error_reply(text)))
         await asyncio.sleep(_REFUSAL)
 
 
@@ -83,7 +85,7 @@ async def _play(websocket: WebSocket, inbox: Inbox) -> None:
 
     Both happen in threads, since kernels release the interpreter's lock.
     """
-    session, work = Session(), TokenBucket(_WORK_RATE, _WORK_BURST)
+    session = Session()
     while True:
         began = time.monotonic()
         messages = [] if session.busy else [await inbox.get()]
@@ -91,47 +93,42 @@ async def _play(websocket: WebSocket, inbox: Inbox) -> None:
             messages.append(inbox.get_nowait())
         for message in messages:
             replies = session.receive(message, time.monotonic())
-            await _answer(websocket, replies, None if is_quick(message) else work)
+            await _answer(websocket, replies, slow=not is_quick(message))
             inbox.task_done()
         replies = session.advance(time.monotonic())
-        await _answer(websocket, replies, work if session.optimal_pending else None)
+        await _answer(websocket, replies, slow=session.reference_pending)
         if session.busy:
             await asyncio.sleep(max(0.0, began + _FRAME - time.monotonic()))
 
 
-async def _answer(websocket: WebSocket, replies: Iterator[Reply], work: TokenBucket | None) -> None:
-    """Compute replies in a thread and send them; wait until `work` has paid for slow ones."""
-    thread = None if work is None else _slow_thread
-    loop = asyncio.get_running_loop()
-    contents, seconds = await loop.run_in_executor(thread, _compute, replies)
-    for content in contents:
-        await _send(websocket, content)
-    while work and not work.take(time.monotonic(), min(seconds, _WORK_BURST)):
-        await asyncio.sleep(_FRAME)
+async def _answer(websocket: WebSocket, replies: Iterator[Reply], *, slow: bool) -> None:
+    """Compute replies in a thread, whenever it is the turn of the page's address, and send them.
 
-
-def _compute(replies: Iterator[Reply]) -> tuple[list[str | bytes], float]:
-    """Return the contents of messages, and the processor's time that they took."""
-    began = time.thread_time()
-    contents = [reply if isinstance(reply, bytes) else _encoded(reply) for reply in replies]
-    return contents, time.thread_time() - began
-
-
-def _encoded(reply: dict[str, Any]) -> str:
-    """Return a reply as JSON.
-
-    Lists are encoded item by item: one call would keep the interpreter's lock for a whole film, and
-    every other game would wait for it.
+    Slow replies are computed in one turn: they can't be broken off, and the end of a page's last
+    would wait behind the slow replies of all others.
     """
-    return "{" + ", ".join(f"{_json(key)}: {_by_item(item)}" for key, item in reply.items()) + "}"
+    threads, user = _slow_threads if slow else _quick_threads, address_of(websocket.scope)
+    seconds = math.inf if slow else _TURN
+    answered = False
+    while not answered:
+        turn = asyncio.wrap_future(threads.submit(user, lambda: _take_turn(replies, seconds)))
+        contents, answered = await turn
+        for content in contents:
+            await _send(websocket, content)
 
 
-def _by_item(value: Any) -> str:
-    return f"[{', '.join(map(_json, value))}]" if isinstance(value, list) else _json(value)
-
-
-def _json(value: Any) -> str:
-    return json.dumps(value, allow_nan=False)
+def _take_turn(replies: Iterator[Reply], seconds: float) -> Turn:
+    """Compute replies for some seconds, and what is under way then."""
+    ends = time.monotonic() + seconds
+    contents = []
+    for reply in replies:
+        if reply is not None:
+            contents.append(
+                json.dumps(reply, allow_nan=False) if isinstance(reply, dict) else reply
+            )
+        if time.monotonic() >= ends:
+            return contents, False
+    return contents, True
 
 
 async def _send(websocket: WebSocket, content: str | bytes) -> None:

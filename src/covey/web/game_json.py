@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from typing import Any
 
@@ -58,6 +59,11 @@ def frame(game: Game, row: int) -> Json:
             )
         ],
     }
+
+
+def film(game: Game, which: str) -> str:
+    """Return the message with which the page replays a game; a nan is a ValueError."""
+    return json.dumps({"type": "film", "game": which, **replay(game)}, allow_nan=False)
 
 
 def replay(game: Game) -> Json:

@@ -1,4 +1,4 @@
-"""A game that a person plays, the optimal pursuer's game from the same start, and the score."""
+"""A game that a person plays, the best pursuer's game from the same start, and the score."""
 
 from __future__ import annotations
 
@@ -6,12 +6,14 @@ import math
 from functools import cached_property
 from typing import NamedTuple
 
+from covey.bounds import bracket
 from covey.model import InputError
-from covey.players import CommittedPursuer, simulate
+from covey.players import BestSequence, CommittedPursuer, simulate
 from covey.simulation import Game, Settings
 from covey.simulation.match import Match
 from covey.web.choices import Choices
 from covey.web.human_pursuer import HumanPursuer
+from covey.web.worker import worker
 
 UPDATE_TIME = 0.005
 """Of the game's time: even at a quarter of real time the team plans every 20 ms."""
@@ -24,7 +26,7 @@ LONGEST_GUARANTEE = 60.0
 
 
 class GameScore(NamedTuple):
-    """A person against the optimal pursuer; None where not everybody was captured.
+    """A person against the best pursuer known; None where not everybody was captured.
 
     Attributes
     ----------
@@ -33,7 +35,7 @@ class GameScore(NamedTuple):
     above : float or None
         `time` minus the guarantee of the first plan.
     share : float
-        Survival time against the optimal pursuer over `time`: 1 is as good, 0 if `time` is None.
+        Survival time against that pursuer over `time`: 1 is as good, 0 if `time` is None.
     """
 
     time: float | None
@@ -80,14 +82,25 @@ class HumanGame:
         return self._match.record()
 
     @cached_property
-    def optimal(self) -> Game:
-        """The game of the committed pursuer against the same team."""
+    def reference(self) -> Game:
+        """The game of the best pursuer known against the same team."""
+        games = [self._play(pursuer) for pursuer in (CommittedPursuer(), BestSequence())]
+        return min(games, key=lambda game: game.survival_time)
+
+    @cached_property
+    def assurance(self) -> float:
+        """A time by which a pursuer can have captured everybody, whatever the team does."""
         team, disk = self._choices.game()
-        return simulate(
+        return float(worker.call(bracket, team, disk, seed=self._choices.seed).upper)
+
+    def _play(self, pursuer: CommittedPursuer | BestSequence) -> Game:
+        team, disk = self._choices.game()
+        return worker.call(
+            simulate,
             team,
             disk,
             evaders=self._choices.team_strategy(),
-            pursuer=CommittedPursuer(),
+            pursuer=pursuer,
             sensing=self._choices.sensing,
             update_time=UPDATE_TIME,
             seed=self._choices.seed,
@@ -100,5 +113,5 @@ class HumanGame:
             return GameScore(None, None, 0.0)
         time = game.survival_time
         # Both are 0 where everybody begins within the pursuer's reach.
-        share = self.optimal.survival_time / time if time > 0.0 else 1.0
+        share = self.reference.survival_time / time if time > 0.0 else 1.0
         return GameScore(time, time - game.guarantee, share)

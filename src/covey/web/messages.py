@@ -58,14 +58,14 @@ class Film(_Message):
     """Send a whole game, for the page to replay."""
 
     type: Literal["film"]
-    game: Literal["yours", "optimal"]
+    game: Literal["yours", "reference"]
 
 
 class Save(_Message):
     """Send the record of a whole game, as a file."""
 
     type: Literal["save"]
-    game: Literal["yours", "optimal"]
+    game: Literal["yours", "reference"]
 
 
 Message = New | Steer | Run | Pause | Step | Film | Save

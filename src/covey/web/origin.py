@@ -7,7 +7,14 @@ point a domain of theirs at 127.0.0.1 (DNS rebinding); the Host header shows tha
 from __future__ import annotations
 
 import ipaddress
+from collections.abc import Mapping
+from typing import Any
 from urllib.parse import urlsplit
+
+
+def address_of(scope: Mapping[str, Any]) -> str:
+    """Return the address of the machine that a request came from."""
+    return str((scope.get("client") or ("",))[0])
 
 
 def is_own_host(host: str, served: str) -> bool:

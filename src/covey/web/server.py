@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 import json
 import logging
 import socket
@@ -20,6 +21,7 @@ from covey.web.app import make_app
 from covey.web.protocol import LimitedProtocol
 from covey.web.session import Session
 from covey.web.upload import MOST_BYTES
+from covey.web.worker import worker
 
 _GRACE = 1
 """Seconds for open pages to close when the server ends."""
@@ -38,7 +40,9 @@ def serve(host: str, port: int, *, open_browser: bool) -> None:
     """
     listener = listen(host, port)
     with listener:
+        worker.start()
         warm_up()
+        gc.freeze()  # what stays is not looked through again, which would stop every game for 40 ms
         address = page_address(host, listener.getsockname()[1])
         print(f"covey: the page is at {address}\nCtrl-C ends it.", flush=True)
         if open_browser:
@@ -47,6 +51,7 @@ def serve(host: str, port: int, *, open_browser: bool) -> None:
         server = uvicorn.Server(configuration(host))
         with suppress(KeyboardInterrupt):  # uvicorn raises Ctrl-C again once it has shut down
             server.run(sockets=[listener])
+        worker.stop()
         print("covey: stopped", file=sys.stderr)
 
 
@@ -58,6 +63,7 @@ def configuration(host: str) -> uvicorn.Config:
         log_level="warning",
         access_log=False,
         server_header=False,
+        proxy_headers=False,  # anybody can write them, and pass for another address
         ws=LimitedProtocol,
         ws_max_size=MOST_BYTES,
         ws_per_message_deflate=False,  # frames are small, and the network is short

@@ -9,17 +9,21 @@ from typing import Any
 from covey.model import InputError
 from covey.simulation import Game
 from covey.simulation.storage import write_game
-from covey.web.game_json import frame, header, replay
+from covey.web.game_json import film, frame, header
 from covey.web.human_game import TIME_LIMIT, UPDATE_TIME, HumanGame
 from covey.web.messages import Film, New, Pause, Run, Save, Steer, Step, read_message
 from covey.web.pacing import Pacer
 from covey.web.upload import read_upload
+from covey.web.worker import worker
 
 STEP_UPDATES = 10
 """Updates of a step by hand: enough to be seen."""
 
-Reply = dict[str, Any] | bytes
-"""A message to the page, sent as JSON; bytes are a file."""
+Reply = dict[str, Any] | str | bytes | None
+"""A message to the page, sent as JSON, or JSON already; bytes are a file.
+
+None is no message: between two updates, other pages may have a turn.
+"""
 
 
 class Session:
@@ -27,36 +31,37 @@ class Session:
 
     Attributes
     ----------
-    optimal_pending : bool
-        Whether `advance` will play the optimal pursuer's game, which takes long.
+    reference_pending : bool
+        Whether `advance` will play the reference game, which takes long.
     """
 
     def __init__(self) -> None:
         self._pacer = Pacer(UPDATE_TIME)
         self._game: HumanGame | None = None
-        self.optimal_pending = False
+        self.reference_pending = False
 
     @property
     def busy(self) -> bool:
         """Whether `advance` has something to do."""
-        return self._pacer.running or self.optimal_pending
+        return self._pacer.running or self.reference_pending
 
     def receive(self, message: str | bytes, now: float) -> Iterator[Reply]:
         """Do what a page asks for, and answer. A mistake is answered too, and changes nothing."""
         try:
             if isinstance(message, bytes):
-                yield {"type": "film", "game": "opened", **read_upload(message)}
+                yield worker.call(read_upload, message)
             else:
                 yield from self._answer(message, now)
         except InputError as error:
             yield error_reply(str(error))
 
     def advance(self, now: float) -> Iterator[Reply]:
-        """Do what is due: the optimal game first, then updates and, at the end, the score."""
-        if self.optimal_pending:
-            self.optimal_pending = False
-            optimal = self._current_game().optimal
-            yield {"type": "optimal", "survival_time": optimal.survival_time}
+        """Do what is due: the reference game first, then updates and, at the end, the score."""
+        if self.reference_pending:
+            self.reference_pending = False
+            game = self._current_game()
+            times = {"survival_time": game.reference.survival_time, "assurance": game.assurance}
+            yield {"type": "reference", **times}
         updates = self._pacer.due(now)
         if updates:
             yield from self._play(updates, now)
@@ -79,14 +84,14 @@ class Session:
                 self._pacer.pause()
                 yield from self._play(STEP_UPDATES, now)
             case Film(game=which):
-                yield {"type": "film", "game": which, **replay(self._whole_game(which))}
+                yield worker.call(film, self._whole_game(which), which)
             case Save(game=which):
-                yield _file(self._whole_game(which))
+                yield worker.call(_file, self._whole_game(which))
 
     def _set_up(self, message: New) -> Reply:
         game = HumanGame(message.choices)
         self._pacer.pause()
-        self._game, self.optimal_pending = game, True
+        self._game, self.reference_pending = game, True
         start = game.record()
         return {
             "type": "game",
@@ -98,8 +103,11 @@ class Session:
         }
 
     def _play(self, updates: int, now: float) -> Iterator[Reply]:
-        game = self._current_game()
-        self._pacer.count(now, game.advance(updates))
+        game, played = self._current_game(), 0
+        for _ in range(updates):
+            played += game.advance(1)
+            yield None
+        self._pacer.count(now, played)
         yield {"type": "frame", "rate": self._pacer.rate(now), **frame(game.record(), -1)}
         if game.over:
             self._pacer.pause()
@@ -107,8 +115,8 @@ class Session:
 
     def _whole_game(self, which: str) -> Game:
         game = self._current_game()
-        if which == "optimal":
-            return game.optimal
+        if which == "reference":
+            return game.reference
         if not game.over:
             raise InputError("your game isn't over yet; play it to its end first")
         return game.record()

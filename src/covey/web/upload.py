@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from io import BytesIO
 
 from covey.model import InputError
 from covey.simulation.storage import read_game
-from covey.web.game_json import Json, replay
+from covey.web.game_json import film
 
 MOST_BYTES = 16 * 2**20
 MOST_NUMBERS = 10**7
@@ -17,8 +16,8 @@ _ONE_NUMBER = {"BOOLEAN", "INT32", "INT64", "FLOAT", "DOUBLE"}
 """Parquet's types of a column of which an entry can't be huge."""
 
 
-def read_upload(content: bytes) -> Json:
-    """Return the replay of the game in a file, or raise InputError that says why there is none."""
+def read_upload(content: bytes) -> str:
+    """Return the message that replays the game in a file, or say in an InputError what is wrong."""
     for kind, most, size in (
         ("bytes", MOST_BYTES, len(content)),
         ("numbers", MOST_NUMBERS, _numbers(content)),
@@ -29,11 +28,9 @@ def read_upload(content: bytes) -> Json:
             )
     game = read_game(content, "record")
     try:
-        result = replay(game)
-        json.dumps([result, game.times[0]], allow_nan=False)  # no row, or a nan, is an error
+        return film(game, "opened")  # a nan is an error
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
         raise InputError(f"record: it contradicts itself: {error}") from error
-    return result
 
 
 def _numbers(content: bytes) -> int:
@@ -46,7 +43,7 @@ def _numbers(content: bytes) -> int:
 
     try:
         metadata = pq.read_metadata(BytesIO(content))
-    except (pa.ArrowException, OSError):
+    except (pa.ArrowException, OSError, ValueError):
         return 0
     for k in range(metadata.num_columns):
         column = metadata.schema.column(k)

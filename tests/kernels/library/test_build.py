@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -9,7 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 
 from covey.kernels.library import build
-from covey.kernels.library.cache import host_processor, object_file
+from covey.kernels.library.cache import host_processor, object_file, read_objects
 from covey.kernels.library.errors import BuildError
 
 OBJECTS = [b"first", b"second"]
@@ -41,6 +43,66 @@ def test_two_that_begin_at_once_build_once(builds, capsys):
     assert found == [[b"first", b"second"]] * 4
     assert len(builds) == 1
     assert "another process is compiling the kernels" in capsys.readouterr().err
+
+
+def test_where_kernels_cannot_be_kept_processes_that_are_started_find_them(
+    builds, tmp_path, capsys
+):
+    (tmp_path / "cache").write_text("a file, where the folder should be", encoding="utf-8")
+    assert build.built_objects() == OBJECTS
+    shared = object_file(host_processor())
+    assert shared.parent != tmp_path / "cache"
+    assert read_objects(shared) == OBJECTS
+    assert (len(builds), capsys.readouterr().err.count("can't be kept")) == (1, 1)
+
+
+BUILDER = """
+import sys, time
+from pathlib import Path
+from covey.kernels.library.cache import write_objects
+
+with open("built", "a") as file:
+    print("once", file=file)
+time.sleep(1.0)
+write_objects(Path(sys.argv[1]), [b"first", b"second"])
+"""
+
+BUILDING = f"""
+import sys
+from covey.kernels.library import build
+
+build._BUILDER = [sys.executable, "-c", {BUILDER!r}]
+print("ready", flush=True)
+sys.stdin.readline()
+print(build.built_objects())
+"""
+
+
+def test_two_processes_that_begin_at_once_build_once(tmp_path):
+    """Both find an empty cache; the second waits for the first."""
+    both = [
+        subprocess.Popen(
+            [sys.executable, "-c", BUILDING],
+            cwd=tmp_path,
+            env={**os.environ, "COVEY_CACHE_DIR": str(tmp_path / "cache")},
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            encoding="utf-8",
+        )
+        for _ in range(2)
+    ]
+    assert [process.stdout.readline() for process in both] == ["ready\n"] * 2
+    for process in both:
+        process.stdin.write("go\n")
+        process.stdin.flush()
+    ended = [process.communicate(timeout=60) for process in both]
+    assert [output for output, _ in ended] == [f"{OBJECTS}\n"] * 2
+    assert (tmp_path / "built").read_text().split() == ["once"]
+    told = sorted(errors for _, errors in ended)
+    assert told[0] == "covey: another process is compiling the kernels; waiting for it\n"
+    assert told[1].startswith("covey: compiling its kernels into ")
+    assert sorted(path.suffix for path in (tmp_path / "cache").iterdir()) == [".bin", ".lock"]
 
 
 @pytest.mark.parametrize("damaged", [b"", b"PK", b"no archive at all"])

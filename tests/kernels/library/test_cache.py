@@ -88,6 +88,12 @@ def test_a_file_is_written_whole_or_not_at_all(tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
+def test_what_a_killed_process_left_is_removed(tmp_path):
+    (tmp_path / "kernels-0.4711.part").write_bytes(b"half")
+    cache.write_objects(tmp_path / "kernels-1.bin", OBJECTS)
+    assert [file.name for file in tmp_path.iterdir()] == ["kernels-1.bin"]
+
+
 def test_files_that_were_used_longest_ago_are_forgotten(tmp_path):
     for k in range(12):
         cache.write_objects(tmp_path / f"kernels-{k:02}.bin", OBJECTS)

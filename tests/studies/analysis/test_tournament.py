@@ -113,7 +113,7 @@ evaders = [
     "iterative-open-loop", "open-loop", "constant-heading", "known-sequence", "largest-distance",
     "smallest-danger", "straight-away", "hold-course",
 ]
-pursuer = ["flying", "best-sequence", "nearest-first", "random-sequence", "patient"]
+pursuer = ["flying", "best-sequence", "assured", "nearest-first", "random-sequence"]
 """
 
 

@@ -1,4 +1,4 @@
-"""The figures of the paper's studies, their claims and their pictures, from made-up times."""
+"""The figures of the paper's studies and their claims, from made-up times."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ import numpy as np
 import pyarrow as pa
 import pytest
 
-from covey import views
 from covey.model import InputError
 from covey.studies import Study, StudyResult
 from covey.studies.paper.claims import DIFFERS, HOLDS, PARTLY, fig4_claims, fig5_claims
@@ -19,7 +18,6 @@ from covey.studies.paper.figures import (
     turn_rate_gains,
 )
 from covey.studies.statistics import Estimate
-from covey.views.charts.gains import Curve
 
 RATES = [0.8, 1.6, 3.2]
 
@@ -100,32 +98,3 @@ def test_gains_like_the_papers_bear_out_its_claims():
     assert [claim.verdict for claim in claims] == [HOLDS, HOLDS, HOLDS]
     claims = list(fig5_claims(gains([1, 1.02, 1.01], [1, 1.001, 1.004])))
     assert [claim.verdict for claim in claims] == [PARTLY, PARTLY, PARTLY]
-
-
-def test_the_histogram_counts_every_start_and_has_a_bin_at_one():
-    five = np.array([0.83, 0.897, 0.9949, 0.9951, 1.0, 1.0049, 1.07])
-    figure = views.draw_ratios({3: [1.0, 1.0], 5: five})
-    panel = figure.axes[1]
-    assert sum(bar.get_height() for bar in panel.patches) == len(five)
-    (middle,) = [bar for bar in panel.patches if bar.get_gid() == "bar at one"]
-    assert middle.get_height() == 3
-    assert middle.get_x() + 0.5 * middle.get_width() == pytest.approx(1.0)
-    low, high = panel.get_xlim()
-    assert low < 0.83
-    assert high > 1.07
-
-
-def test_the_curves_are_the_ratios():
-    curve = Curve([1.0, 1.1, 1.15], [0.0, 0.01, 0.02])
-    figure = views.draw_gains([np.pi / 4, np.pi, 2 * np.pi], {"visible": {2: curve, 5: curve}})
-    (axes,) = figure.axes
-    assert [text.get_text() for text in axes.get_xticklabels()] == [r"$\pi/4$", r"$\pi$", r"$2\pi$"]
-    assert axes.lines[0].get_ydata() == pytest.approx(curve.ratios)
-    assert axes.get_ylim()[1] > 1.17
-
-
-def test_pictures_of_nothing_are_refused():
-    with pytest.raises(InputError, match="at least one ratio"):
-        views.draw_ratios({3: []})
-    with pytest.raises(InputError, match="expected 2 ratios and errors for 5 evaders"):
-        views.draw_gains([1.0, 2.0], {"visible": {5: Curve([1.0], [0.0])}})

@@ -49,6 +49,8 @@ def damage(path, how):
     elif how == "bit":
         content[len(content) // 3] ^= 16
         path.write_bytes(content)
+    elif how == "not UTF-8":
+        path.write_bytes(content.replace(b"game", b"\x80ame"))
     elif how == "of other games":
         shutil.copyfile(path.with_name("part-00000.parquet"), path)
     else:
@@ -58,7 +60,9 @@ def damage(path, how):
 
 
 @TABLES
-@pytest.mark.parametrize("how", ["gone", "empty", "cut", "bit", "of other games", "a game less"])
+@pytest.mark.parametrize(
+    "how", ["gone", "empty", "cut", "bit", "not UTF-8", "of other games", "a game less"]
+)
 def test_a_damaged_part_is_played_anew(folder, undisturbed, kind, how):
     part = folder / kind / "part-00002.parquet"
     kept = {path: path.stat().st_mtime_ns for path in folder.glob("*/*") if path.name != part.name}

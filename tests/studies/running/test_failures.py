@@ -79,6 +79,7 @@ def test_the_start_that_kills_every_worker_is_found(tmp_path):
     assert len(result.failures) == 1, result.failures
     failure = result.failures[0]
     assert f"start {BAD} (seed {study.start(BAD, 3).seed})" in failure
+    assert "\n" not in failure
     assert result.games.num_rows == 4 * (50 - 16)
 
 

@@ -19,6 +19,11 @@ pytestmark = pytest.mark.skipif(
 )
 
 
+def hear_interrupts():
+    """Hear interrupts also where a shell, which has this process in its background, has none."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 @pytest.fixture
 def running(tmp_path):
     """A study that is played by two workers, in a process group of its own, and its folder."""
@@ -33,6 +38,7 @@ def running(tmp_path):
         stdout=subprocess.DEVNULL,
         encoding="utf-8",
         start_new_session=True,
+        preexec_fn=hear_interrupts,
     ) as process:
         wait_for(lambda: any((folder / "games").glob("*.parquet")), 60.0)
         yield process, folder

@@ -25,7 +25,7 @@ def chase(
     """Chase a team yourself, in the browser: you are the pursuer, and the team plans as it flies.
 
     Serves a page from this machine, which needs no network. Steer with mouse, touch or keys; the
-    score sets you beside the optimal pursuer in the same game. Ctrl-C ends it.
+    score sets you beside the best pursuer known in the same game. Ctrl-C ends it.
 
     Try:
 

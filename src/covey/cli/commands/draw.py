@@ -15,7 +15,7 @@ from covey.cli.shared.sources import read_scenario_or_game
 from covey.cli.show.comparison import draw_comparison
 from covey.cli.show.film import save_film
 
-View = Literal["snapshots", "game", "plan", "animation"]
+View = Literal["snapshots", "game", "plan", "tree", "animation"]
 
 
 def draw(
@@ -42,8 +42,9 @@ def draw(
         View | None,
         Parameter(
             help="snapshots: four moments of the game. game: all paths and captures. plan: the "
-            "first plan, and the captures that it must expect. animation: a film. By default a "
-            "film if the output is one, else snapshots."
+            "first plan, and the captures that it must expect. tree: the plan that answers "
+            "captures, and what it will be after each first capture. animation: a film. By "
+            "default a film if the output is one, else snapshots."
         ),
     ] = None,
     record: Annotated[
@@ -69,8 +70,8 @@ def draw(
         draw_comparison(Path(file), output)
         return
     source, chosen = read_scenario_or_game(file, seed), _checked_view(view, output)
-    if chosen == "plan":
-        _draw_plan(source, output, record)
+    if chosen in ("plan", "tree"):
+        _draw_plan(source, chosen, output, record)
     else:
         _draw_game(source, chosen, output, record)
 
@@ -91,16 +92,21 @@ def _checked_view(view: View | None, output: Path) -> View:
     return view or ("animation" if suffix in FILMS else "snapshots")
 
 
-def _draw_plan(source: covey.Scenario | covey.Game, output: Path, record: Path | None) -> None:
-    """Draw the first plan of a scenario."""
+def _draw_plan(
+    source: covey.Scenario | covey.Game, view: View, output: Path, record: Path | None
+) -> None:
+    """Draw the first plan of a scenario, or the plan that answers captures."""
     if record is not None:
-        raise covey.InputError("--record: the view plan plays no game; choose another --view")
+        raise covey.InputError(f"--record: the view {view} plays no game; choose another --view")
     if not isinstance(source, covey.Scenario):
         raise covey.InputError(
-            "the view plan needs a scenario, got the record of a game; the view snapshots shows "
+            f"the view {view} needs a scenario, got the record of a game; the view snapshots shows "
             "with which plan it began"
         )
-    figure = views.draw_plan(source.team, source.disk, source.plan())
+    if view == "tree":
+        figure = views.draw_contingent(source.plan_contingent())
+    else:
+        figure = views.draw_plan(source.team, source.disk, source.plan())
     print_saved(views.save(figure, output))
 
 

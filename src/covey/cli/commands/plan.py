@@ -2,15 +2,37 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
+from cyclopts import Parameter
+
 import covey
 from covey.cli.shared.arguments import Json, ScenarioFile, Seed
 from covey.cli.shared.sources import read_scenario
 from covey.cli.shared.waiting import waiting
+from covey.cli.show.contingent import print_tree, tree_as_json
 from covey.cli.show.json_output import plan_as_json, print_json
 from covey.cli.show.tables import print_plan
+from covey.planning.compiled_objective import checked_objective
 
 
-def plan(file: ScenarioFile, /, *, seed: Seed = None, json: Json = False) -> None:
+def plan(
+    file: ScenarioFile,
+    /,
+    *,
+    contingent: Annotated[
+        bool,
+        Parameter(
+            negative="", show_default=False, help="Plan, too, how the team answers each capture."
+        ),
+    ] = False,
+    depth: Annotated[
+        int | None,
+        Parameter(help="With --contingent: how many captures are answered; by default all."),
+    ] = None,
+    seed: Seed = None,
+    json: Json = False,
+) -> None:
     """Plan a team's flight, and print the survival time that it guarantees.
 
     Every evader turns once, at its full rate, and then flies straight. The guaranteed survival
@@ -19,15 +41,38 @@ def plan(file: ScenarioFile, /, *, seed: Seed = None, json: Json = False) -> Non
     sure to exceed, whatever its strategy, even if it saw the pursuer and turned at once. Where
     [game] names another objective, the plan is for that one, and stands alone.
 
+    A contingent plan also holds the turns that those left begin when an evader has been captured.
+
     Try:
 
         covey plan fig3
+
+        covey plan fig3 --contingent
     """
     scenario = read_scenario(file, seed)
+    objective = checked_objective(scenario.objective)
+    last_capture = isinstance(objective, covey.LastCapture)
+    if depth is not None and not contingent:
+        raise covey.InputError(
+            "--depth: expected --contingent beside it; without, none is answered"
+        )
+    if contingent and not last_capture:
+        raise covey.InputError(
+            "--contingent: expected a scenario about the last capture, got the objective "
+            f"{objective.describe()['name']}; leave [game] objective out"
+        )
     with waiting("planning"):
-        bracket = scenario.bracket() if isinstance(scenario.objective, covey.LastCapture) else None
+        bracket = scenario.bracket() if last_capture else None
         found = scenario.plan() if bracket is None else bracket.plan
-    if json:
+        tree = scenario.plan_contingent(depth) if contingent else None
+        if tree is not None:
+            _ = tree.with_delays  # computed while the command says that it works
+    if tree is not None and bracket is not None:
+        if json:
+            print_json(tree_as_json(scenario, tree, bracket))
+        else:
+            print_tree(scenario, tree, bracket)
+    elif json:
         print_json(plan_as_json(scenario, found, bracket))
     else:
         print_plan(scenario, found, bracket)

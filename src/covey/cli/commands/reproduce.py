@@ -27,6 +27,12 @@ def reproduce(
         int | None,
         Parameter(help="Starts of Figs. 4 and 5: 500, as in the paper, or fewer for a quick look."),
     ] = None,
+    assured_starts: Annotated[
+        int,
+        Parameter(
+            help="Starts of Fig. 4 with the assured pursuer, which takes half a second each."
+        ),
+    ] = 50,
     workers: Annotated[
         int | None,
         Parameter(help="Processes on this machine; by default as many as it has cores."),
@@ -34,9 +40,9 @@ def reproduce(
 ) -> None:
     """Reproduce the paper: Figs. 1 to 5, and a report that sets our figures beside its claims.
 
-    Plays the game of Fig. 3 and the studies of Figs. 4 and 5, 18 000 games in all. report.md tells
+    Plays the game of Fig. 3 and the studies of Figs. 4 and 5, 18 200 games in all. report.md tells
     what came out; the figures stand beside it as .png, .svg and .pdf, and every game is in the
-    folders fig4 and fig5. A run that was stopped goes on where it was.
+    folders fig4, fig4-assured and fig5. A run that was stopped goes on where it was.
 
     Try:
 
@@ -44,11 +50,16 @@ def reproduce(
     """
     from covey.simulation.files import make_folder  # only now, as it loads NumPy
 
-    for folder in (output, output / "fig4", output / "fig5"):
+    for folder in (output, *(output / name for name in ("fig4", "fig4-assured", "fig5"))):
         make_folder(folder)
     game = _reproduce_game(output)
-    fig4, fig5 = _reproduce_studies(output, starts, workers)
-    _write_report(output, game, fig4, fig5)
+    fig4 = _study("fig4", output, starts, workers)
+    fewer = assured_starts if starts is None else min(starts, assured_starts)
+    assured = _study("fig4-assured", output, fewer, workers)
+    _draw_ratios(output, fig4, assured)
+    fig5 = _study("fig5", output, starts, workers)
+    _draw_gains(output, fig5)
+    write_text(output / "report.md", studies.report(game, fig4, assured, fig5))
 
 
 def _reproduce_game(folder: Path) -> covey.Game:
@@ -68,19 +79,20 @@ def _reproduce_game(folder: Path) -> covey.Game:
     return game
 
 
-def _reproduce_studies(
-    folder: Path, starts: int | None, workers: int | None
-) -> tuple[studies.StudyResult, studies.StudyResult]:
-    """Play the games of Figs. 4 and 5, and draw them."""
-    fig4 = _study("fig4", folder, starts, workers)
+def _draw_ratios(folder: Path, fig4: studies.StudyResult, assured: studies.StudyResult) -> None:
+    """Draw Fig. 4, and write its numbers."""
     ratios = studies.survival_ratios(fig4)
-    save_picture(views.draw_ratios(ratios), folder, "fig4")
+    beside = studies.survival_ratios(assured)
+    save_picture(views.draw_ratios(ratios, beside=beside), folder, "fig4")
     write_csv(
         folder / "fig4.csv",
         ("team_size", "start", "hidden_over_visible"),
         ((size, k, q) for size, values in ratios.items() for k, q in enumerate(values.tolist())),
     )
-    fig5 = _study("fig5", folder, starts, workers)
+
+
+def _draw_gains(folder: Path, fig5: studies.StudyResult) -> None:
+    """Draw Fig. 5, and write its numbers."""
     gains = studies.turn_rate_gains(fig5)
     save_picture(_gains_figure(gains), folder, "fig5")
     write_csv(
@@ -93,14 +105,6 @@ def _reproduce_studies(
             for k, rate in enumerate(each.turn_rates)
         ),
     )
-    return fig4, fig5
-
-
-def _write_report(
-    folder: Path, game: covey.Game, fig4: studies.StudyResult, fig5: studies.StudyResult
-) -> None:
-    """Write the report."""
-    write_text(folder / "report.md", studies.report(game, fig4, fig5))
 
 
 def _study(name: str, folder: Path, starts: int | None, workers: int | None) -> studies.StudyResult:

@@ -17,7 +17,7 @@ _MOST_SEQUENCES = 6
 
 def print_plan(scenario: covey.Scenario, plan: covey.Plan, bracket: covey.Bracket | None) -> None:
     """Print a plan's value, the bound on any team's value if it is known, and all headings."""
-    console = _console()
+    console = new_console()
     if bracket is not None:
         console.print(
             f"survives at least {number(bracket.lower)}; "
@@ -29,8 +29,8 @@ def print_plan(scenario: covey.Scenario, plan: covey.Plan, bracket: covey.Bracke
         *_sequences(plan),
         ("search", f"{plan.status} ({plan.starts} starts, {plan.steps} steps)"),
     ]
-    console.print(_facts(facts))
-    table = _table("evader", "position", "turn (rad)", "(°)", "goal heading (rad)", "(°)")
+    console.print(new_facts(facts))
+    table = new_table("evader", "position", "turn (rad)", "(°)", "goal heading (rad)", "(°)")
     for i, position in enumerate(points(scenario.team.positions.tolist())):
         table.add_row(
             str(i),
@@ -43,17 +43,17 @@ def print_plan(scenario: covey.Scenario, plan: covey.Plan, bracket: covey.Bracke
 
 def print_game(game: covey.Game) -> None:
     """Print what was guaranteed, how long the team survived, and its captures."""
-    console = _console()
-    console.print(_facts(_outcome(game)))
+    console = new_console()
+    console.print(new_facts(_outcome(game)))
     console.print(_capture_table(game))
 
 
 def print_worst_case(worst: covey.WorstCase) -> None:
     """Print the least survival time, over which pursuers it was taken, and its captures."""
-    console = _console()
+    console = new_console()
     quantity = "survival time" if worst.value == worst.survival_time else "sum of survival times"
     console.print(
-        _facts(
+        new_facts(
             [
                 (f"least {quantity}", number(worst.value)),
                 ("over", str(worst.scope)),
@@ -61,7 +61,7 @@ def print_worst_case(worst: covey.WorstCase) -> None:
             ]
         )
     )
-    table = _table("capture", "evader", "time", "waited")
+    table = new_table("capture", "evader", "time", "waited")
     rows = zip(worst.sequence, aligned(worst.capture_times, 6), worst.delays, strict=True)
     for k, (evader, time, delay) in enumerate(rows, start=1):
         table.add_row(str(k), str(evader), time, number(delay))
@@ -96,7 +96,7 @@ def _objective(objective: Mapping[str, Any], planned: str, value: str) -> list[t
 
 def _capture_table(game: covey.Game) -> Table:
     """Return the captures in their order: who, when, where."""
-    table = _table("capture", "evader", "time", "place")
+    table = new_table("capture", "evader", "time", "place")
     order = game.capture_sequence.tolist()
     times = aligned(game.capture_times.tolist(), 6)
     # A captured evader stays where it was captured.
@@ -148,19 +148,22 @@ def _strategy(game: covey.Game, side: str) -> str:
     return f"{name} ({parameters})" if parameters else name
 
 
-def _facts(facts: Iterable[tuple[str, str]]) -> Table:
+def new_facts(facts: Iterable[tuple[str, str]]) -> Table:
+    """Return facts under each other, each beside its name."""
     table = Table.grid(padding=(0, 2))
     for name, value in facts:
         table.add_row(name, value)
     return table
 
 
-def _table(*columns: str) -> Table:
+def new_table(*columns: str) -> Table:
+    """Return an empty table with these columns."""
     table = Table(box=SIMPLE_HEAD, pad_edge=False)
     for column in columns:
         table.add_column(column, justify="right", no_wrap=True)
     return table
 
 
-def _console() -> Console:
+def new_console() -> Console:
+    """Return where results are printed."""
     return Console(highlight=False)

@@ -6,12 +6,14 @@ the compiler of the user's own code isn't touched.
 
 from __future__ import annotations
 
+import atexit
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from filelock import FileLock, Timeout
@@ -48,9 +50,20 @@ def built_objects() -> list[bytes]:
     except OSError as error:
         say(
             f"{file.parent}: {error.strerror}. The compiled kernels can't be kept there, so the "
-            f"next process compiles again; set COVEY_CACHE_DIR to a folder that can be written"
+            f"next command compiles again; set COVEY_CACHE_DIR to a folder that can be written"
         )
-    return objects or _build(file.parent)
+        objects = objects or _build(file.parent)
+        _share_with_children(file.name, objects)
+    return objects
+
+
+def _share_with_children(name: str, objects: list[bytes]) -> None:
+    """Keep the objects for the processes that this process starts, as long as it lives."""
+    with suppress(OSError):
+        folder = tempfile.mkdtemp(prefix="covey-")
+        atexit.register(shutil.rmtree, folder, ignore_errors=True)
+        write_objects(Path(folder) / name, objects)
+        os.environ["COVEY_CACHE_DIR"] = folder
 
 
 @contextmanager

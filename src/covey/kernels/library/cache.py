@@ -86,7 +86,7 @@ def read_objects(file: Path) -> list[bytes] | None:
 def write_objects(file: Path, objects: Sequence[bytes]) -> None:
     """Write objects to a file, whole or not at all; forget the files that were used longest ago.
 
-    The file is a checksum and the list of the objects.
+    The file is a checksum and the list of the objects. One process at a time may write.
     """
     listed = marshal.dumps(list(objects))
     part = file.with_suffix(f".{os.getpid()}.part")
@@ -95,6 +95,8 @@ def write_objects(file: Path, objects: Sequence[bytes]) -> None:
         part.replace(file)
     finally:
         part.unlink(missing_ok=True)
+    for abandoned in file.parent.glob("kernels-*.part"):  # by a process that was killed
+        abandoned.unlink(missing_ok=True)
     by_age = sorted(file.parent.glob("kernels-*.bin"), key=_last_used)
     for old in by_age[:-_MOST_FILES]:
         old.unlink(missing_ok=True)

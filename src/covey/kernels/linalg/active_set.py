@@ -10,7 +10,18 @@ import math
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Ints, Workspace, floats, ints, rows, wide_rows
+from covey.kernels.arrays import (
+    Floats,
+    Ints,
+    IntVector,
+    Matrix,
+    Vector,
+    Workspace,
+    floats,
+    ints,
+    rows,
+    wide_rows,
+)
 
 TINY = 1e-14
 
@@ -18,13 +29,13 @@ TINY = 1e-14
 class QuadraticScratch(NamedTuple):
     """Arrays of the active-set method for n variables and up to m models."""
 
-    whitened: Floats  # (m + 2n, n) L^-1 a_j for each constraint j
-    active: Ints  # (n + 2,)
-    multipliers: Floats  # (n + 2,) of the active constraints
-    gram: Floats  # (n + 2, n + 2) their products, then its Cholesky factor
-    ones: Floats  # (n + 2,)
-    direction: Floats  # (n + 2,)
-    combined: Floats  # (n,) sum of multipliers times whitened
+    whitened: Matrix  # (m + 2n, n) L^-1 a_j for each constraint j
+    active: IntVector  # (n + 2,)
+    multipliers: Vector  # (n + 2,) of the active constraints
+    gram: Matrix  # (n + 2, n + 2) their products, then its Cholesky factor
+    ones: Vector  # (n + 2,)
+    direction: Vector  # (n + 2,)
+    combined: Vector  # (n,) sum of multipliers times whitened
 
 
 @inlined

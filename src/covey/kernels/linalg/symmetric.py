@@ -11,6 +11,7 @@ from covey.kernels._jit import compiled
 from covey.kernels.arrays import Floats
 
 _TINY = 1e-8
+_FIRST_SHIFT = 1e-3  # of the largest diagonal entry
 _MAX_SWEEPS = 30
 
 
@@ -38,6 +39,29 @@ def cholesky(matrix: Floats, n: int, floor: float, factor: Floats) -> bool:
                 entry -= factor[i, k] * factor[j, k]
             factor[i, j] = entry * inverse
     return True
+
+
+@compiled
+def shifted_cholesky(matrix: Floats, n: int, floor: float, factor: Floats) -> bool:
+    """Write the Cholesky factor; where `matrix` isn't positive definite, of a shifted matrix.
+
+    The shift is added to the diagonal of `matrix`, and is doubled until a factor exists; each trial
+    costs a factor, far less than the eigenvalues of a large matrix. Returns whether there is a
+    shift.
+    """
+    if cholesky(matrix, n, floor, factor):
+        return False
+    size = floor
+    for i in range(n):
+        size = max(size, abs(matrix[i, i]))
+    shift = _FIRST_SHIFT * size if size > 0.0 else 1.0
+    added = 0.0
+    while True:
+        for i in range(n):
+            matrix[i, i] += shift - added
+        if cholesky(matrix, n, floor, factor):
+            return True
+        added, shift = shift, 4.0 * shift
 
 
 @compiled

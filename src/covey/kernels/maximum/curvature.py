@@ -15,7 +15,7 @@ from covey.kernels.maximum.local_model import ModelScratch
 from covey.kernels.maximum.working_set import WorkingSet
 
 _PENALTY = 20.0  # of the Hessian's size, across the active sequences
-_FARTHEST = 1e5  # radians to the maximum of a single sequence's model, at most
+FARTHEST = 1e5  # radians to the maximum of a single sequence's model, at most
 _CHANGED, _NEGLIGIBLE = 0.1, 1e-6  # of the multipliers, which sum to one
 _ESCAPE_LENGTH = 0.03  # radians
 
@@ -70,11 +70,11 @@ def factor_hessian(
         scratch.linear[i] = 0.0
         for s in range(working_set.used[0]):
             steepest = max(steepest, abs(scratch.gradients[s, i]))
-    floor = steepest / _FARTHEST
+    floor = steepest / FARTHEST
     if cholesky(scratch.hessian, n, floor, scratch.factor):
         return HessianStatus(False, False)
     _copy_hessian(n, scratch)
-    convexified = convexify and _penalise(n, working_set, values, scale, scratch)
+    convexified = convexify and penalise(n, working_set, values, scale, scratch)
     if cholesky(scratch.convex_hessian, n, floor, scratch.factor):
         return HessianStatus(convexified, False)
     make_positive(scratch.convex_hessian, n, floor, scratch.eigenvectors, scratch.eigenvalues)
@@ -104,7 +104,7 @@ def escape_count(
     if cholesky(scratch.hessian, n, 0.0, scratch.factor):
         return 0
     _copy_hessian(n, scratch)
-    _penalise(n, working_set, values, scale, scratch)
+    penalise(n, working_set, values, scale, scratch)
     if cholesky(scratch.convex_hessian, n, 0.0, scratch.factor):
         return 0
     jacobi_eigen(scratch.convex_hessian, n, scratch.eigenvectors)
@@ -137,7 +137,7 @@ def _copy_hessian(n: int, scratch: ModelScratch) -> None:
 
 
 @compiled
-def _penalise(
+def penalise(
     n: int, working_set: WorkingSet, values: Floats, scale: float, scratch: ModelScratch
 ) -> bool:
     """Add the penalty on differing active models to the Hessian and the linear term.

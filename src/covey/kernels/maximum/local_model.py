@@ -11,7 +11,7 @@ import math
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Workspace, floats, path_rows, rows
+from covey.kernels.arrays import Floats, Matrix, Vector, Workspace, floats, path_rows, rows
 from covey.kernels.capture.derivatives import Captures, add_curvature, differentiate
 from covey.kernels.linalg.active_set import QuadraticScratch, quadratic_scratch
 from covey.kernels.linalg.quadratic_program import (
@@ -26,20 +26,20 @@ from covey.kernels.maximum.working_set import Evaluation, WorkingSet, capacity
 class ModelScratch(NamedTuple):
     """Arrays of the model of n turns with up to m sequences."""
 
-    gradients: Floats  # (m, n)
-    weights: Floats  # (m,) multipliers in the Hessian
-    capture_rows: Floats  # (n, CAPTURE_ROW) or more columns
-    slopes: Floats  # (3, n)
-    hessian: Floats  # (n, n) of the Lagrangian, sign turned; lower triangle
-    convex_hessian: Floats  # (n, n) made positive definite for the quadratic programme
-    factor: Floats  # (n, n)
-    eigenvectors: Floats  # (n, n)
-    eigenvalues: Floats  # (n,)
-    linear: Floats  # (n,) linear term of the penalty
-    lower: Floats  # (n,) bounds of the step
-    upper: Floats  # (n,)
-    step: Floats  # (n,) the maximiser
-    values: Floats  # (m,)
+    gradients: Matrix  # (m, n)
+    weights: Vector  # (m,) multipliers in the Hessian
+    capture_rows: Matrix  # (n, CAPTURE_ROW) or more columns
+    slopes: Matrix  # (3, n)
+    hessian: Matrix  # (n, n) of the Lagrangian, sign turned; lower triangle
+    convex_hessian: Matrix  # (n, n) made positive definite for the quadratic programme
+    factor: Matrix  # (n, n)
+    eigenvectors: Matrix  # (n, n)
+    eigenvalues: Vector  # (n,)
+    linear: Vector  # (n,) linear term of the penalty
+    lower: Vector  # (n,) bounds of the step
+    upper: Vector  # (n,)
+    step: Vector  # (n,) the maximiser
+    values: Vector  # (m,)
     quadratic: QuadraticScratch
 
 

@@ -19,7 +19,7 @@ from covey.kernels.maximum.working_set import Evaluation, WorkingSet, add
 from covey.kernels.minimum.inner_minimum import inner_minimum
 
 _MAX_CORRECTIONS = 3
-_MIN_GAIN_RATIO = 0.8  # below, a step is corrected
+MIN_GAIN_RATIO = 0.8  # below, a step is corrected
 
 
 class Points(NamedTuple):
@@ -82,7 +82,7 @@ def take_step(
     here, there, value, working_set = points.here, points.there, progress.value, iterate.working_set
     trial = try_step(problem, iterate, there, scratch)
     for _ in range(_MAX_CORRECTIONS):
-        falls_short = trial - value < _MIN_GAIN_RATIO * (model.predicted - value)
+        falls_short = trial - value < MIN_GAIN_RATIO * (model.predicted - value)
         if working_set.used[0] > 1 and falls_short:
             value_to_beat = max(trial, value)
             trial = _correct(problem, iterate, options.radius, model, value_to_beat, there, scratch)

@@ -18,8 +18,6 @@ from covey.simulation import Chase, PursuerPolicy, Situation
 class CommittingPursuer(ABC):
     """A pursuer that follows sequences; its games can be played compiled."""
 
-    in_any_frame = True
-
     @abstractmethod
     def commitment(self, team: Team, disk: PursuerDisk, seed: int) -> Commitment:
         """Return the commitment with which it begins a game."""
@@ -43,6 +41,8 @@ class FixedOrderPursuer(CommittingPursuer):
 
 class SequenceFollower:
     """The policy of a `CommittingPursuer` in one game."""
+
+    in_any_frame = True
 
     def __init__(self, pursuer: CommittingPursuer, seed: int) -> None:
         self._pursuer, self._seed = pursuer, seed

@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
 from covey.kernels.maximum.objective import elapsed_value
 from covey.kernels.maximum.problem import Problem
 from covey.kernels.play.policy import ReplanOptions, TeamMemory, forget, replan
-from covey.model.validation import Floats, whole_number
+from covey.model.validation import MOST_STARTS, Floats, whole_number
 from covey.planning import Plan, plan
 from covey.planning.compiled_objective import compiled_objective
 from covey.planning.guarantee import pursuit_of
@@ -26,6 +26,7 @@ from covey.planning.open_loop import (
 from covey.planning.workspace import workspace
 from covey.players.teams.replan_interval import ReplanningTeam, minimum_wait
 from covey.simulation import Situation, TeamPolicy
+from covey.simulation.strategy import in_any_frame
 
 REPLAN_TOLERANCE = 1e-7
 """An update stops at this relative predicted gain; the next update continues from there."""
@@ -42,11 +43,10 @@ class OpenLoop:
     """
 
     starts: int = DEFAULT_STARTS
-    in_any_frame: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
         """Check the field."""
-        whole_number("OpenLoop.starts", self.starts, low=1)
+        whole_number("OpenLoop.starts", self.starts, low=1, high=MOST_STARTS)
 
     def describe(self) -> Mapping[str, Any]:
         """Return name and parameters, as a scenario file gives them."""
@@ -73,7 +73,7 @@ class OpenLoop:
                 starts=self.starts,
             ).turns
 
-        return turns
+        return in_any_frame(turns)
 
 
 @dataclass(frozen=True)
@@ -83,14 +83,17 @@ class SearchingTeam(ReplanningTeam):
     starts: int = DEFAULT_STARTS
     restarts: int = 8
     replan_time: float = 0.0
-    in_any_frame: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
         """Check the fields."""
         name = type(self).__name__
-        whole_number(f"{name}.starts", self.starts, low=1)
-        whole_number(f"{name}.restarts", self.restarts, low=0)
+        whole_number(f"{name}.starts", self.starts, low=1, high=MOST_STARTS)
+        whole_number(f"{name}.restarts", self.restarts, low=0, high=MOST_STARTS)
         super().__post_init__()
+
+    def start(self, seed: int) -> TeamPolicy:
+        """Return the policy of one game."""
+        return in_any_frame(super().start(seed))
 
     def compiled(self) -> ReplanOptions:
         """Return how the team plans in a compiled game."""

@@ -6,13 +6,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from covey.players import CommittedPursuer, FixedSequence
+from covey.model import InputError
+from covey.model.validation import shown
+from covey.players import AssuredPursuer, CommittedPursuer, FixedSequence
 from covey.simulation import Outcome
+
+VISIBLE_PURSUERS = ("committed", "assured")
 
 
 @dataclass(frozen=True)
 class AsVisible:
-    """While it is visible, a committed pursuer; hidden, it repeats the order of its visible game.
+    """While it is visible, one of two pursuers; hidden, it repeats the order of its visible game.
 
     "The capture sequence taken by the hidden pursuer is set to be the same as that of the visible
     pursuer" (section V.B of the paper): the visible game of the same start and the same settings,
@@ -22,17 +26,23 @@ class AsVisible:
     ----------
     margin
         Of the committed pursuer; see `covey.CommittedPursuer`.
+    pursuer
+        Of the visible game: "committed", as in the paper, or "assured".
     """
 
     margin: float = 0.01
+    pursuer: str = "committed"
 
     def __post_init__(self) -> None:
-        """Check the field."""
+        """Check the fields."""
+        if self.pursuer not in VISIBLE_PURSUERS:
+            choices = " or ".join(f'"{name}"' for name in VISIBLE_PURSUERS)
+            raise InputError(f"AsVisible.pursuer: expected {choices}, got {shown(self.pursuer)}")
         self.visible()
 
-    def visible(self) -> CommittedPursuer:
+    def visible(self) -> CommittedPursuer | AssuredPursuer:
         """Return the pursuer of the visible game."""
-        return CommittedPursuer(self.margin)
+        return CommittedPursuer(self.margin) if self.pursuer == "committed" else AssuredPursuer()
 
     def hidden(self, visible: Outcome, count: int) -> FixedSequence:
         """Return the pursuer of the hidden game.
@@ -45,4 +55,4 @@ class AsVisible:
 
     def describe(self) -> Mapping[str, Any]:
         """Return name and parameters, as a study file gives them."""
-        return {"name": "as-visible", "margin": self.margin}
+        return {"name": "as-visible", "margin": self.margin, "pursuer": self.pursuer}

@@ -8,6 +8,7 @@ from typing import Any
 
 from covey.model import InputError
 from covey.model.objectives import distribution_of
+from covey.model.validation import is_slower
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.players import FixedSequence, KnownSequence, RandomSequence
 from covey.scenarios.consistency import not_both, too_fast
@@ -20,7 +21,7 @@ def inconsistencies(values: Mapping[str, Any]) -> Iterator[Mistake]:
     if values["turn_rate"] is not None and values["turn_radius"] is not None:
         yield not_both("turn_rate", ("grid", "turn_radius"))
     fastest, slowest = max(values["speed"]), min(values["pursuer_speed"])
-    if fastest >= slowest:
+    if not is_slower(fastest, slowest):
         yield too_fast(("grid", "speed"), fastest, slowest)
     yield from _sequences(values)
     yield from _objectives(values)

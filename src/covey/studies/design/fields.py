@@ -26,7 +26,7 @@ from covey.scenarios.values import (
     one_of,
 )
 from covey.simulation.settings import SENSING
-from covey.studies.design.as_visible import AsVisible
+from covey.studies.design.as_visible import VISIBLE_PURSUERS, AsVisible
 from covey.studies.design.case import GRID
 from covey.studies.design.consistency import inconsistencies
 from covey.studies.design.start_table import FromFile
@@ -40,7 +40,11 @@ SAMPLERS = {
     "formation": Entry(Formation, {"shape": _SHAPE, "spacing": Positive, "distance": NotNegative}),
     "file": Entry(FromFile, {"path": FileName}),
 }
-STUDY_PURSUERS = {**PURSUERS, "as-visible": Entry(AsVisible, {"margin": Margin})}
+_VISIBLE_PURSUER = Annotated[str, one_of(*VISIBLE_PURSUERS)]
+STUDY_PURSUERS = {
+    **PURSUERS,
+    "as-visible": Entry(AsVisible, {"margin": Margin, "pursuer": _VISIBLE_PURSUER}),
+}
 
 _TYPES: dict[str, Any] = {
     "starts": AtLeastOne,

@@ -124,7 +124,7 @@ def _columns(file: Path) -> tuple[Floats, Floats]:
         table = readers[file.suffix](file)
         names = [name for name in ("start", "x", "y", "heading") if name in table.column_names]
         columns = {name: table[name].to_numpy().astype(np.float64) for name in names}
-    except (pa.ArrowException, ValueError) as error:
+    except (pa.ArrowException, OSError, ValueError) as error:
         raise InputError(f"{file}: expected a table of numbers: {error}") from error
     missing = [name for name in ("start", "x", "y") if name not in columns]
     if missing:

@@ -26,14 +26,21 @@ def survival_ratios(result: StudyResult) -> dict[int, Floats]:
 
     Starts of which a game was stopped are left out.
     """
-    times, ratios = _by_case(result, "survival_time"), {}
-    for size in result.study["grid"]["team_size"]:
-        hidden, visible = (
-            times[:, result.case_number(team_size=size, sensing=word)] for word in (HIDDEN, VISIBLE)
-        )
-        ended = np.isfinite(hidden) & np.isfinite(visible)
-        ratios[size] = hidden[ended] / visible[ended]
-    return ratios
+    times = {size: both_times(result, size) for size in result.study["grid"]["team_size"]}
+    return {size: hidden / visible for size, (hidden, visible) in times.items()}
+
+
+def both_times(result: StudyResult, size: int, starts: int | None = None) -> tuple[Floats, Floats]:
+    """Return hidden and visible survival times of a team size, of the first `starts`.
+
+    Starts of which a game was stopped are left out.
+    """
+    times = _by_case(result, "survival_time")[:starts]
+    hidden, visible = (
+        times[:, result.case_number(team_size=size, sensing=word)] for word in (HIDDEN, VISIBLE)
+    )
+    ended = np.isfinite(hidden) & np.isfinite(visible)
+    return hidden[ended], visible[ended]
 
 
 def guarantee_ratios(result: StudyResult) -> dict[int, Floats]:

@@ -10,7 +10,7 @@ from typing import Any
 
 from covey.kernels.minimum.last_capture import MOST_EVADERS
 from covey.model import InputError, LastCapture
-from covey.model.validation import choice, whole_number
+from covey.model.validation import choice, shown, whole_number
 from covey.simulation.files import whole_file
 from covey.simulation.settings import SENSING
 from covey.studies.design.case import GRID
@@ -63,7 +63,7 @@ def read_manifest(folder: Path) -> dict[str, Any] | None:
     if manifest.get("format") != FORMAT:
         raise InputError(
             f"{path}: expected the manifest of a study in format {FORMAT}, "
-            f"got format {manifest.get('format')!r}"
+            f"got format {shown(manifest.get('format'))}"
         )
     try:
         _complete(manifest)
@@ -97,7 +97,7 @@ def _require_counts(manifest: Mapping[str, Any]) -> None:
     wanted = [cases, cases * starts, math.ceil(starts / whole_number("step", step, low=1))]
     came = [manifest["cases"], manifest["games"], parts["count"]]
     if came != wanted or cases == 0:
-        raise ValueError(f"expected cases, games, parts to be {wanted}, got {came}")
+        raise ValueError(f"expected cases, games, parts to be {wanted}, got {shown(came)}")
     if not isinstance(study["trajectories"], bool) or not isinstance(manifest["versions"], dict):
         raise TypeError("expected trajectories: true or false, versions: a table")
 
@@ -117,9 +117,9 @@ def _require_value(name: str, value: Any) -> None:
     elif value is None and name in ("turn_rate", "turn_radius"):
         pass  # the other one is given
     elif not isinstance(value, int | float):
-        raise TypeError(f"{name}: expected a number, got {value!r}")
+        raise TypeError(f"{name}: expected a number, got {shown(value)}")
     elif name == "team_size" and whole_number(name, value, low=1) > MOST_EVADERS:
-        raise ValueError(f"{name}: expected at most {MOST_EVADERS}, got {value}")
+        raise ValueError(f"{name}: expected at most {MOST_EVADERS}, got {shown(value)}")
 
 
 def refuse_differences(folder: Path, before: Mapping[str, Any], now: Mapping[str, Any]) -> None:

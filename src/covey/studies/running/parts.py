@@ -39,9 +39,9 @@ def read_part(content: bytes, kind: str, extent: Extent) -> pa.Table:
 
     try:
         table = decoded(content)
-    except (pa.ArrowException, OSError) as error:  # OSError: its pages don't fit their checksums
+        _require_columns(table, kind, extent.size)  # reads the names, which may be no UTF-8
+    except (pa.ArrowException, OSError, ValueError) as error:
         raise DamagedPartError("its bytes are no table") from error
-    _require_columns(table, kind, extent.size)
     if kind == GAMES:
         _require_games(table, extent)
     else:

@@ -104,7 +104,8 @@ class Scheduler:
         crashed = isinstance(error, BrokenExecutor)
         start = self._find_crashing_start(chunk) if crashed else chunk.first
         seed = self._study.start(start, min(self._study.team_size)).seed
-        return Failure(chunk, start, seed, f"{type(error).__name__}: {error}")
+        told = f"{type(error).__name__}: {error}".partition("\n")[0]
+        return Failure(chunk, start, seed, told)
 
     def _find_crashing_start(self, chunk: Chunk) -> int:
         """Play the starts of a chunk one at a time, until one of them kills its worker."""

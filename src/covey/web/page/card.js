@@ -44,7 +44,7 @@ export class Card {
     });
   }
 
-  over({ time, above, share }, { guarantee, sure, optimal, best }, actions) {
+  over({ time, above, share }, { guarantee, sure, reference, assurance, best }, actions) {
     if (time === null) {
       const text = "The game was stopped at its time limit with evaders alive.";
       this.show({ title: "They got away", text, actions });
@@ -54,19 +54,20 @@ export class Card {
       title: best ? "Your best at this game" : "All captured",
       score: percent(share),
       text: sure
-        ? `as quick as the optimal pursuer, and ${short(Math.max(above, 0))} above what the team was sure of.`
-        : "as quick as the optimal pursuer.",
+        ? `as quick as the best pursuer known, and ${short(Math.max(above, 0))} above what the team was sure of.`
+        : "as quick as the best pursuer known.",
       figures: [
         ["you", "You", short(time)],
-        ["optimal", "Optimal", short(optimal)],
+        ["reference", "Best known", short(reference)],
         ["guaranteed", sure ? "Guaranteed" : "First plan", short(guarantee)],
+        ["assured", "Assured", short(assurance)],
       ],
       actions,
     });
   }
 
   watched(which, time, actions) {
-    const titles = { optimal: "The optimal pursuer", yours: "Your game", opened: "The record" };
+    const titles = { reference: "The best pursuer known", yours: "Your game", opened: "The record" };
     const text = time === null ? "Not everybody was captured." : `The last was captured at ${short(time)}.`;
     this.show({ title: titles[which], text, actions, ready: true });
   }

@@ -26,7 +26,7 @@ const steering = new Steering(at("board"), camera, pressed);
 const connection = new Connection(received, saveFile, connected);
 
 // `game`, the person's game: "none", "ready", "live", "over". `watching`: the whole game that is shown instead.
-const state = { game: "none", optimal: null, score: null, watching: null, watchedTime: null, best: false, updateTime: 1 };
+const state = { game: "none", reference: null, assurance: null, score: null, watching: null, watchedTime: null, best: false, updateTime: 1 };
 let drawnAt = performance.now();
 let steeredAt = 0;
 let toastTimer = 0;
@@ -96,12 +96,12 @@ function steer() {
 // What comes from the server.
 
 function received(message) {
-  const handlers = { game: gameIsSet, optimal: optimalIsKnown, frame: framePlayed, over: gameIsOver, film: filmCame, error: failed };
+  const handlers = { game: gameIsSet, reference: referenceIsKnown, frame: framePlayed, over: gameIsOver, film: filmCame, error: failed };
   handlers[message.type](message);
 }
 
 function gameIsSet({ cast, picture, update_time: updateTime }) {
-  Object.assign(state, { game: "ready", optimal: null, score: null, watching: null, best: false, updateTime });
+  Object.assign(state, { game: "ready", reference: null, assurance: null, score: null, watching: null, best: false, updateTime });
   playback.begin(cast, picture);
   card.ready(cast);
   camera.cut(positions(playback.moment), insets());
@@ -109,8 +109,8 @@ function gameIsSet({ cast, picture, update_time: updateTime }) {
   say(`Game ready. ${cast.sure ? "The team is sure to survive for" : "The team's first plan is worth"} ${short(cast.guarantee)}.`);
 }
 
-function optimalIsKnown({ survival_time: time }) {
-  state.optimal = time;
+function referenceIsKnown({ survival_time: time, assurance }) {
+  Object.assign(state, { reference: time, assurance });
 }
 
 function framePlayed(picture) {
@@ -135,16 +135,16 @@ function gameIsOver(score) {
     showBest();
   }
   showOver();
-  say(score.time === null ? "Time is up." : `Game over: survival time ${short(score.time)}, ${Math.round(100 * score.share)} percent of the optimal pursuer.`);
+  say(score.time === null ? "Time is up." : `Game over: survival time ${short(score.time)}, ${Math.round(100 * score.share)} percent of the best pursuer known.`);
 }
 
 function showOver() {
   const { guarantee, sure } = playback.live.cast;
-  const figures = { guarantee, sure, optimal: state.optimal, best: state.best };
+  const figures = { guarantee, sure, reference: state.reference, assurance: state.assurance, best: state.best };
   card.over(state.score, figures, [
     ["Play again", newGame],
     ["Another start", anotherGame],
-    ["Watch the optimal pursuer", () => watch("optimal")],
+    ["Watch the best pursuer", () => watch("reference")],
     ["Replay yours", () => watch("yours")],
   ]);
 }
@@ -258,14 +258,14 @@ function drawMoment(moment, now, seconds) {
     captures: moment.captured,
     guarantee: cast.guarantee,
     sure: cast.sure,
-    optimal: state.watching === "opened" ? null : state.optimal,
+    reference: state.watching === "opened" ? null : state.reference,
     end: playback.isLive ? null : playback.film.end,
   });
   showButtons();
 }
 
 function label(above, sure) {
-  const what = { optimal: "the optimal pursuer", yours: "replay of your game", opened: "record" }[state.watching];
+  const what = { reference: "the best pursuer known", yours: "replay of your game", opened: "record" }[state.watching];
   return `${what ?? "survival time"}${above > 0 ? `, ${short(above)} above the ${sure ? "guarantee" : "first plan"}` : ""}`;
 }
 
@@ -273,7 +273,7 @@ function showButtons() {
   const { running } = playback;
   at("play-shape").setAttribute("d", running ? PAUSE : PLAY);
   at("play").setAttribute("aria-label", running ? "Pause" : state.game === "ready" || playback.ended ? "Start" : "Go on");
-  at("save").disabled = state.watching === "opened" || (state.watching !== "optimal" && state.game !== "over");
+  at("save").disabled = state.watching === "opened" || (state.watching !== "reference" && state.game !== "over");
   at("step").disabled = playback.isLive && state.game === "over";
 }
 
@@ -340,8 +340,8 @@ at("step").addEventListener("click", step);
 at("again").addEventListener("click", newGame);
 at("back").addEventListener("click", backToGame);
 at("dice").addEventListener("click", anotherGame);
-at("watch").addEventListener("click", () => watch("optimal"));
-at("save").addEventListener("click", () => connection.send({ type: "save", game: state.watching === "optimal" ? "optimal" : "yours" }));
+at("watch").addEventListener("click", () => watch("reference"));
+at("save").addEventListener("click", () => connection.send({ type: "save", game: state.watching === "reference" ? "reference" : "yours" }));
 at("open").addEventListener("change", ({ target }) => {
   openFile(target.files[0]);
   target.value = "";

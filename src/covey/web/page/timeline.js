@@ -1,6 +1,6 @@
-// Time as a line: now, the captures, the guarantee, the optimal pursuer's survival time.
+// Time as a line: now, the captures, the guarantee, the survival time with the best pursuer known.
 
-const WORDS = { guaranteed: 104, optimal: 82 }; // pixels
+const WORDS = { guaranteed: 104, reference: 110 }; // pixels
 
 export class Timeline {
   constructor(fill, marks, scrub, onScrub) {
@@ -9,8 +9,8 @@ export class Timeline {
   }
 
   // `end` of a film that can be scrubbed through, or null during a game.
-  show({ time, captures, guarantee, sure, optimal, end }) {
-    const known = [guarantee, optimal ?? 0, end ?? 0];
+  show({ time, captures, guarantee, sure, reference, end }) {
+    const known = [guarantee, reference ?? 0, end ?? 0];
     const span = Math.max(1.2 * Math.max(...known), end === null ? 1.02 * time : 0) || 1;
     this.fill.style.width = `${(100 * time) / span}%`;
     this.scrub.hidden = end === null;
@@ -20,18 +20,18 @@ export class Timeline {
       this.scrub.setAttribute("aria-valuetext", `time ${time.toFixed(2)} of ${end.toFixed(2)}`);
     }
     const width = this.marks.clientWidth;
-    const key = [span.toFixed(3), guarantee, sure, optimal, captures.length, width].join();
+    const key = [span.toFixed(3), guarantee, sure, reference, captures.length, width].join();
     if (key === this.drawn) return;
     this.drawn = key;
     const marks = [mark("guaranteed", guarantee / span, `${nameOf(sure)} ${short(guarantee)}`)];
-    if (optimal !== null) {
-      const early = Math.min(guarantee, optimal) / span;
-      const late = Math.max(guarantee, optimal) / span;
-      marks.push(mark("optimal", optimal / span, `optimal ${short(optimal)}`));
+    if (reference !== null) {
+      const early = Math.min(guarantee, reference) / span;
+      const late = Math.max(guarantee, reference) / span;
+      marks.push(mark("reference", reference / span, `best known ${short(reference)}`));
       // The words are outside of the two marks or, without room there, at the ends.
-      const [first, last] = guarantee <= optimal ? ["guaranteed", "optimal"] : ["optimal", "guaranteed"];
+      const [first, last] = guarantee <= reference ? ["guaranteed", "reference"] : ["reference", "guaranteed"];
       const roomy = width * early > WORDS[first] && width * (1 - late) > WORDS[last];
-      marks.forEach((each, k) => each.classList.add((k === 0) === (guarantee <= optimal) ? "left-of" : "right-of"));
+      marks.forEach((each, k) => each.classList.add((k === 0) === (guarantee <= reference) ? "left-of" : "right-of"));
       this.marks.classList.toggle("narrow", !roomy);
     }
     marks.push(...captures.map(([, when]) => mark("capture", when / span, "")));

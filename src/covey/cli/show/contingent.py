@@ -1,0 +1,81 @@
+"""Contingent plans on the screen and as JSON."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import covey
+from covey.cli.show.tables import angle, new_console, new_facts, new_table, number, points
+
+
+def print_tree(
+    scenario: covey.Scenario, tree: covey.ContingentPlan, bracket: covey.Bracket
+) -> None:
+    """Print what a contingent plan guarantees, the turns now, and those after each capture."""
+    console, open_loop = new_console(), bracket.plan.survival_time
+    gain = 100.0 * (tree.survival_time / open_loop - 1.0)
+    critical = tree.critical_sequences
+    facts = [
+        ("guaranteed survival time", number(tree.survival_time)),
+        ("if captures are put off", f"{number(tree.with_delays.survival_time)} at least"),
+        ("without answers", f"{number(open_loop)}; the answers gain {gain:.3g} %"),
+        ("no team could be sure of", f"more than {number(bracket.upper)}"),
+        (
+            "answers",
+            f"the first {tree.depth} of {len(tree.evaders) - 1} captures that leave anybody",
+        ),
+        ("worst sequence", " ".join(map(str, critical[0]))),
+        ("search", f"{tree.status} ({tree.starts} ascents, {tree.steps} steps)"),
+    ]
+    console.print(new_facts(facts))
+    table = new_table("evader", "position", "turn (rad)", "(°)", "goal heading (rad)", "(°)")
+    for i, position in enumerate(points(scenario.team.positions.tolist())):
+        turn, goal = float(tree.turns[i]), float(tree.goal_headings[i])
+        table.add_row(str(i), position, *angle(turn), *angle(goal))
+    console.print(table)
+    if len(tree.evaders) > 1:
+        console.print("goal headings (°) after the first capture, by who is captured:")
+        console.print(_answers(tree))
+
+
+def _answers(tree: covey.ContingentPlan) -> Any:
+    """Return the table of goal headings after each first capture, a row a capture."""
+    table = new_table("captured", *(str(i) for i in tree.evaders), "then survives")
+    for i in tree.evaders:
+        after = tree.after(i)
+        headings = dict(zip(after.evaders, after.goal_headings.tolist(), strict=True))
+        cells = [angle(headings[j])[1] if j in headings else "-" for j in tree.evaders]
+        table.add_row(str(i), *cells, number(after.survival_time))
+    return table
+
+
+def tree_as_json(
+    scenario: covey.Scenario, tree: covey.ContingentPlan, bracket: covey.Bracket
+) -> dict[str, Any]:
+    """Return a contingent plan with all its answers, angles in radians."""
+    return {
+        "survival_time": tree.survival_time,
+        "with_delays": tree.with_delays.survival_time,
+        "resolution": tree.with_delays.resolution,
+        "open_loop_survival_time": bracket.plan.survival_time,
+        "upper_bound": bracket.upper,
+        "depth": tree.depth,
+        "critical_sequences": [list(sequence) for sequence in tree.critical_sequences],
+        "status": str(tree.status),
+        "starts": tree.starts,
+        "steps": tree.steps,
+        "seed": scenario.seed,
+        **_node(tree),
+    }
+
+
+def _node(tree: covey.ContingentPlan) -> dict[str, Any]:
+    """Return the turns of a node, and of those that answer each capture after it."""
+    node: dict[str, Any] = {
+        "evaders": list(tree.evaders),
+        "turns": tree.turns.tolist(),
+        "goal_headings": tree.goal_headings.tolist(),
+    }
+    if tree.depth > 0:
+        node["after"] = {str(i): _node(tree.after(i)) for i in tree.evaders}
+    return node

@@ -1,0 +1,105 @@
+"""What a contingent plan guarantees against a pursuer that may put each capture off."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from covey.kernels.contingent.delays import (
+    INTERVAL,
+    MOST,
+    PUT_OFF,
+    VISITED,
+    DelaySearch,
+    survives_delays,
+)
+from covey.kernels.contingent.minimum import TIME, new_levels
+from covey.kernels.contingent.tree import Tree, answer_to
+from covey.model.display import html_table, one_line
+from covey.planning.contingent.moment import Moment, after_capture
+from covey.planning.contingent.search import problem_of
+from covey.planning.workspace import workspace
+
+RESOLUTION = 1e-3
+"""Relative, of the least over all delays; larger where the search would take too long."""
+
+_FINEST = 0.03  # drift of the shortest intervals at first, over the resolution, as a length
+_FINER, _COARSER = 0.25, 4.0
+_FINEST_SHARE = 1e-4
+_MOST_NODES = 1_000_000
+
+
+@dataclass(frozen=True)
+class DelayedGuarantee:
+    """A survival time that holds whenever the captures happen.
+
+    Attributes
+    ----------
+    survival_time : float
+        Guaranteed, however late the pursuer makes each capture.
+    resolution : float
+        The least over all delays lies between `survival_time` and this much above.
+    """
+
+    survival_time: float
+    resolution: float
+
+    def __repr__(self) -> str:
+        """Return both numbers in one line."""
+        return one_line("DelayedGuarantee", **vars(self))
+
+    def _repr_html_(self) -> str:
+        return html_table("DelayedGuarantee", {name: [value] for name, value in vars(self).items()})
+
+
+def with_delays(moment: Moment, tree: Tree, survival_time: float) -> DelayedGuarantee:
+    """Return what a tree guarantees with delays; without, it guarantees the given time.
+
+    The certified search of `kernels.contingent.delays`, for a target below the earliest end of a
+    play that is known. Where the search stops at a play that ends earlier, that end is known from
+    then on; where it ends no earlier, the intervals were too long.
+    """
+    n = len(moment.evaders)
+    problem, scratch, search = problem_of(moment), workspace(n), _new_search(n)
+    earliest, resolution, finer = survival_time, RESOLUTION, 1.0
+    while resolution < 1.0:
+        target = earliest * (1.0 - resolution)
+        finest = _FINEST * finer * resolution * earliest * moment.pursuit.speed
+        search.counters[VISITED] = 0
+        if survives_delays(problem, tree, search._replace(target=target, finest=finest), scratch):
+            return DelayedGuarantee(target, earliest - target)
+        end = _end_of_play(moment, tree, search)
+        if end < earliest * (1.0 - 1e-9):
+            earliest = end
+        elif search.counters[VISITED] > search.counters[MOST] or finer < _FINEST_SHARE:
+            resolution, finer = _COARSER * resolution, 1.0
+        else:
+            finer *= _FINER
+    return DelayedGuarantee(0.0, earliest)
+
+
+def _new_search(n: int) -> DelaySearch:
+    worst, counters = np.empty(n, np.int64), np.array([0, _MOST_NODES, 0])
+    return DelaySearch(0.0, 0.0, new_levels(n), np.empty((n, INTERVAL)), worst, counters)
+
+
+def _end_of_play(moment: Moment, tree: Tree, search: DelaySearch) -> float:
+    """Return when the play ends at which a search stopped.
+
+    Each capture happens as early as it can, but not before the time that the search has for it.
+    """
+    put_off = int(search.counters[PUT_OFF])
+    times = search.levels.disks[1 : put_off + 1, TIME].tolist()
+    turns, depth, now, left = tree.turns, tree.depth, 0.0, list(range(len(moment.evaders)))
+    for k, i in enumerate(search.worst.tolist()):
+        rank, own = left.index(i), turns[: len(left)]
+        time = float(moment.earliest(own)[rank])
+        if k < put_off:
+            time = max(time, times[k] - now)
+        now += time
+        if len(left) > 1:
+            moment, rest = after_capture(moment, own, rank, time)
+            turns = answer_to(turns, len(left), rank) if k < depth else rest
+            left.remove(i)
+    return now
