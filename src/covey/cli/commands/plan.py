@@ -13,7 +13,6 @@ from covey.cli.shared.waiting import waiting
 from covey.cli.show.contingent import print_tree, tree_as_json
 from covey.cli.show.json_output import plan_as_json, print_json
 from covey.cli.show.tables import print_plan
-from covey.planning.compiled_objective import checked_objective
 
 
 def plan(
@@ -49,6 +48,8 @@ def plan(
 
         covey plan fig3 --contingent
     """
+    from covey.planning.compiled_objective import checked_objective  # only now: it loads NumPy
+
     scenario = read_scenario(file, seed)
     objective = checked_objective(scenario.objective)
     last_capture = isinstance(objective, covey.LastCapture)
