@@ -1,15 +1,23 @@
 """Writes mathematics as MathML, which browsers draw without a script.
 
-A page then needs nothing but itself, on a machine without a network too.
+The pages then need nothing from elsewhere, on a machine without a network too. They bring the font
+along, as formulas come out badly where no font for them is installed.
 """
 
 from __future__ import annotations
+
+from importlib.resources import as_file, files
+from pathlib import Path
+from shutil import copyfile
 
 from docutils import nodes
 from latex2mathml.converter import convert
 from sphinx.application import Sphinx
 from sphinx.util.math import get_node_equation_number
 from sphinx.writers.html5 import HTML5Translator
+
+
+FONT = "STIXTwoMath-Regular.ttf"
 
 
 def visit_inline(self: HTML5Translator, node: nodes.math) -> None:
@@ -31,7 +39,16 @@ def visit_block(self: HTML5Translator, node: nodes.math_block) -> None:
     raise nodes.SkipNode
 
 
+def copy_font(app: Sphinx) -> None:
+    """Put the font beside the style sheet that names it."""
+    folder = Path(app.outdir) / "_static"
+    folder.mkdir(parents=True, exist_ok=True)
+    with as_file(files("ziamath") / "fonts" / FONT) as font:
+        copyfile(font, folder / FONT)
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Offer MathML under its name."""
     app.add_html_math_renderer("mathml", (visit_inline, None), (visit_block, None))
+    app.connect("builder-inited", copy_font)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
