@@ -43,6 +43,16 @@ class Team:
     ------
     InputError
         If a shape is wrong, a number is not finite, or a speed or turn rate is negative.
+
+    Examples
+    --------
+    >>> import math
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4]], headings=[0.0, math.pi], speeds=[0.25, 0.2])
+    >>> len(team)
+    2
+    >>> team.turn_rates.round(4).tolist()
+    [1.5708, 1.5708]
     """
 
     positions: Floats
