@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
+
+from sphinx.application import Sphinx
 
 import covey
 
@@ -24,6 +27,7 @@ extensions = [
     "sphinx_copybutton",
     "sphinx_design",
     "mathml",
+    "shell",
 ]
 exclude_patterns = ["_ext", "_templates"]
 templates_path = ["_templates"]
@@ -50,3 +54,34 @@ html_show_copyright = False
 pygments_style = "friendly"
 copybutton_prompt_text = r">>> |\.\.\. |\$ "
 copybutton_prompt_is_regexp = True
+
+# The reference of Python
+autodoc_preserve_defaults = True
+autodoc_member_order = "bysource"
+default_role = "autolink"  # `covey.plan` in a docstring
+python_use_unqualified_type_names = True
+numpydoc_show_class_members = False
+autodoc_type_aliases = {name: name for name in ("npt.ArrayLike", "Floats", "Ints")}
+
+# What is public has a page. Other libraries have pages elsewhere.
+nitpick_ignore_regex = [
+    ("py:.*", r"(?!covey\.).*"),
+    ("py:.*", r"covey\.(bounds|model|planning|players|simulation)\..*"),
+    ("py:.*", r"covey\.\w+\.\w+\..*"),
+]
+
+
+def name_aliases(*event: object) -> tuple[object, ...]:
+    """Write the alias of a type by its name."""
+    *_, signature, returned = event
+    return _named(signature), _named(returned)
+
+
+def _named(signature: object) -> object:
+    text = re.sub(r"TypeAliasForwardRef\('(.*?)'\)", r"\1", str(signature))
+    return signature and text.replace("npt.", "")
+
+
+def setup(app: Sphinx) -> None:
+    """Connect what is done on the way."""
+    app.connect("autodoc-process-signature", name_aliases)

@@ -16,7 +16,6 @@ from sphinx.application import Sphinx
 from sphinx.util.math import get_node_equation_number
 from sphinx.writers.html5 import HTML5Translator
 
-
 FONT = "STIXTwoMath-Regular.ttf"
 
 
