@@ -106,13 +106,13 @@ def promises(case, game):
 
 
 def _assurances(case, game):
-    """The pursuer's assurance begins at the bracket, never rises, and is kept."""
+    """No plan is above the pursuer's first assurance, which never rises, and is kept."""
     if not case.pursuer.assures:
         return {}
     until, lived = game.assurances, game.times[-1]
-    upper = covey.bracket(case.team, case.disk, seed=case.seed).upper
+    planned = covey.plan(case.team, case.disk, seed=case.seed, starts=2).survival_time
     return {
-        "first assurance is the bracket's": _difference(upper, until[0]),
+        "no plan above the first assurance": _shortfall(planned, until[0]),
         "assurance never rises": _largest_fall(-until) / float(until.max() or 1.0),
         "done by the last assurance": _shortfall(lived, until[-1]),
     }

@@ -91,7 +91,7 @@ class HumanGame:
     def assurance(self) -> float:
         """A time by which a pursuer can have captured everybody, whatever the team does."""
         team, disk = self._choices.game()
-        return float(worker.call(bracket, team, disk, seed=self._choices.seed).upper)
+        return float(worker.call(bracket, team, disk, depth=0, seed=self._choices.seed).upper)
 
     def _play(self, pursuer: CommittedPursuer | BestSequence) -> Game:
         team, disk = self._choices.game()
