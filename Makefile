@@ -3,12 +3,13 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
+DOCS_READY := $(VENV)/.docs
 PIP := -m pip install --quiet --disable-pip-version-check
 PINNED := $(PIP) --only-binary :all: --require-hashes
 COVEY := $(PIP) --no-deps --no-build-isolation --editable .
 
 .DEFAULT_GOAL := help
-.PHONY: help install paper test test-lowest lint format wheel check-package bench accounting soak fuzz faults mutants pins clean
+.PHONY: help install paper test test-lowest lint format docs wheel check-package bench accounting soak fuzz faults mutants pins clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 24
@@ -51,6 +52,15 @@ format: $(READY) ## Format the code and mend what can be mended by rule
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
+# A warning is an error: a link that leads nowhere, a program that fails, a name that nobody documents.
+docs: $(DOCS_READY) ## Build the documentation in build/docs (DOCS=folder for another)
+	@$(BIN)/python -m covey warmup
+	$(BIN)/python -m sphinx -b html -d build/doctrees -W --keep-going -q docs $(or $(DOCS),build/docs)
+
+$(DOCS_READY): $(READY) requirements/docs.txt
+	@$(BIN)/python $(PINNED) -r requirements/docs.txt
+	@touch $@
+
 wheel: $(READY) ## Build a wheel with the compiled kernels inside (PLATFORM=all for every platform)
 	@$(BIN)/python $(PINNED) -r requirements/wheel.txt
 	$(BIN)/python packaging/wheels.py $(PLATFORM)
@@ -85,9 +95,10 @@ pins: ## Write requirements/, the versions and hashes that are installed (ARGS=-
 	@build/pins/bin/python $(PINNED) -r requirements/pins.txt
 	$(COMPILE) pyproject.toml --extra all --group dev $(ARGS) --output-file requirements/develop.txt
 	$(COMPILE) pyproject.toml --extra all --group dev --resolution lowest-direct --upgrade --output-file requirements/lowest.txt
+	$(COMPILE) --group docs --constraints requirements/develop.txt $(ARGS) --output-file requirements/docs.txt
 	$(COMPILE) --group wheel $(ARGS) --output-file requirements/wheel.txt
 	$(COMPILE) --group pins $(ARGS) --output-file requirements/pins.txt
 
 clean: ## Remove the environment and all caches, but no results
-	rm -rf $(VENV) build dist fuzz/findings .benchmarks .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
+	rm -rf $(VENV) build dist docs/generated fuzz/findings .benchmarks .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
 	find src tests benchmarks soak fuzz faults -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true

@@ -33,6 +33,7 @@ DEVELOP = [
 ASKED = {
     "develop": DEVELOP,
     "lowest": DEVELOP,
+    "docs": GROUPS["docs"],
     "wheel": GROUPS["wheel"],
     "pins": GROUPS["pins"],
 }

@@ -51,6 +51,14 @@ def turns_to(team: Team, goal_headings: npt.ArrayLike) -> Floats:
     ------
     InputError
         If the headings are not N finite numbers.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> covey.turns_to(team, [0.5, 1.5, -1.4]).round(3).tolist()
+    [0.2, -0.5, 0.0]
     """
     require_kind("team", team, Team)
     goals = frozen_array("goal_headings", goal_headings, (len(team),))

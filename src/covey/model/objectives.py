@@ -38,7 +38,17 @@ class SequenceDistribution(NamedTuple):
 
 @dataclass(frozen=True)
 class LastCapture:
-    """The time of the last capture, guaranteed against any pursuer: the paper's objective."""
+    """The time of the last capture, guaranteed against any pursuer: the paper's objective.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> plan = covey.plan(team, disk, objective=covey.LastCapture())
+    >>> plan.value == plan.survival_time
+    True
+    """
 
     measure: ClassVar[str] = "last"
 
@@ -52,6 +62,15 @@ class TotalSurvival:
     """The sum of all survival times, guaranteed against any pursuer.
 
     The first of the two objectives that the paper's last sentence proposes.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> plan = covey.plan(team, disk, objective=covey.TotalSurvival())
+    >>> round(plan.value, 3), round(plan.survival_time, 3)
+    (5.414, 3.18)
     """
 
     measure: ClassVar[str] = "total"
@@ -83,6 +102,15 @@ class ExpectedSurvival:
     ------
     InputError
         If an argument can't be used.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> likely = covey.ExpectedSurvival([(0, 1, 2), (0, 2, 1)], weights=[3.0, 1.0], measure="last")
+    >>> round(covey.plan(team, disk, objective=likely).value, 3)
+    3.583
     """
 
     sequences: tuple[tuple[int, ...], ...] | None = None

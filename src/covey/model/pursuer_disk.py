@@ -44,6 +44,13 @@ class PursuerDisk(Value):
     ------
     InputError
         If a number is not finite or out of its range.
+
+    Examples
+    --------
+    >>> import covey
+    >>> disk = covey.PursuerDisk(center=(0.0, 0.0), radius=0.15, capture_radius=0.03)
+    >>> disk.radius, disk.speed
+    (0.15, 1.0)
     """
 
     center: Floats

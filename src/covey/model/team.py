@@ -70,6 +70,16 @@ class Team(Value):
     InputError
         If a shape is wrong, a number is not finite, a speed, turn rate or radius is negative,
         turn rates and radii are both given, or the unit isn't a short word.
+
+    Examples
+    --------
+    >>> import math
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4]], headings=[0.0, math.pi], speeds=[0.25, 0.2])
+    >>> len(team)
+    2
+    >>> team.turn_rates.round(4).tolist()
+    [1.5708, 1.5708]
     """
 
     positions: Floats

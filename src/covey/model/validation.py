@@ -38,7 +38,16 @@ def is_slower(speed: float, pursuer_speed: float) -> bool:
 
 
 class InputError(ValueError):
-    """An argument that can't be used; the message says what was expected and what was given."""
+    """An argument that can't be used; the message says what was expected and what was given.
+
+    Examples
+    --------
+    >>> import covey
+    >>> covey.PursuerDisk(speed=-1.0)
+    Traceback (most recent call last):
+    ...
+    covey.model.validation.InputError: speed: expected a finite number > 0, got -1.0
+    """
 
 
 def require_kind(name: str, value: object, kind: type) -> None:

@@ -42,6 +42,15 @@ class Guarantee:
         the least sum of all survival times.
     sequence : tuple of int
         A capture sequence that attains `time`.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> worst = covey.guaranteed_survival(team, disk, covey.plan(team, disk).turns)
+    >>> round(worst.time, 3)
+    3.365
     """
 
     time: float
@@ -137,6 +146,14 @@ def capture_times(
     References
     ----------
     Algorithm 1 of the paper.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> covey.capture_times(team, disk, turns=[0.0, 0.0, 0.0], sequence=[0, 1, 2]).round(3).tolist()
+    [0.422, 1.363, 3.523]
     """
     check_players(team, disk)
     order = permutation("sequence", sequence, len(team))
@@ -181,6 +198,15 @@ def guaranteed_survival(
     The two inner minima of eq. (6), by dynamic programming over subsets (Held and Karp, 1962)
     instead of N! sequences; memory 16 N 2^N bytes. For the sum a state needs pairs of the time and
     the sum so far, docs/decisions/0009; memory 40 N 2^N bytes.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> worst = covey.guaranteed_survival(team, disk, turns=[0.0, 0.0, 0.0])
+    >>> round(worst.time, 3), worst.sequence
+    (3.149, (1, 0, 2))
     """
     check_game(team, disk)
     chosen = checked_objective(objective)
@@ -230,6 +256,15 @@ def expected_survival(
     ------
     InputError
         If an argument can't be used.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> any_order = covey.ExpectedSurvival(measure="last")
+    >>> round(covey.expected_survival(team, disk, [0.0, 0.0, 0.0], any_order), 3)
+    3.654
     """
     check_players(team, disk)
     if not isinstance(objective, ExpectedSurvival):

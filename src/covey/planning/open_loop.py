@@ -45,7 +45,18 @@ CRITICAL_WITHIN = 1e-6
 
 
 class PlanStatus(StrEnum):
-    """How the search for a plan ended."""
+    """How the search for a plan ended.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> covey.plan(team, disk).status is covey.PlanStatus.CONVERGED
+    True
+    >>> covey.plan(team, disk, time_limit=0.0).status is covey.PlanStatus.TIME_LIMIT
+    True
+    """
 
     CONVERGED = "a local maximum, the best of all starts"
     STALLED = "the best of all starts, where rounding ended the ascent short of the tolerance"
@@ -90,6 +101,17 @@ class Plan(Value):
     starts, steps, interceptions : int
         What the search cost: ascents that ran to their end, steps of sequential quadratic
         programming, interceptions computed by the dynamic programme.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> plan = covey.plan(team, disk)
+    >>> sorted(plan.critical_sequences)
+    [(0, 1, 2), (1, 0, 2)]
+    >>> print(plan.status)
+    a local maximum, the best of all starts
     """
 
     team: Team
@@ -185,6 +207,17 @@ def plan(
     the sum the states of the programme carry pairs (docs/decisions/0009). An expectation needs no
     search for the worst sequence, and its ascents are Newton's method. The programme takes
     16 N 2^N bytes for each of up to four cores, for the sum 40 N 2^N.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> plan = covey.plan(team, disk)
+    >>> round(plan.survival_time, 3)
+    3.365
+    >>> plan.goal_headings.round(2).tolist()
+    [0.15, 2.31, -2.02]
     """
     check_game(team, disk)
     number("tolerance", tolerance, low=0.0, strictly=True)

@@ -74,6 +74,18 @@ def simulate(
     ------
     InputError
         If an argument can't be used, or a strategy decides what the rules forbid.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> pursuer = covey.FixedSequence([2, 0, 1])
+    >>> game = covey.simulate(team, disk, pursuer=pursuer, sensing="hidden")
+    >>> game.capture_sequence.tolist()
+    [2, 0, 1]
+    >>> game.survival_time >= game.guarantee
+    True
     """
     settings = checked_settings(team, disk, sensing, update_time, seed, time_limit, objective)
     return build_record(_play(team, disk, evaders, pursuer, settings, recorded=True))

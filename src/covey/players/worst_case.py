@@ -63,6 +63,17 @@ class WorstCase:
         on what it sees of the evaders, may reach a slightly lower value.
     flights : int
         Number of flights, from one capture to the next, that were played.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> worst = covey.worst_case(team, disk, evaders=covey.StraightAway(), update_time=0.1)
+    >>> worst.sequence
+    (1, 0, 2)
+    >>> print(worst.scope)
+    all capture sequences, each capture as soon as the disk reaches the evader
     """
 
     survival_time: float
@@ -146,6 +157,15 @@ def worst_case(
     plan. A plan for an expectation guarantees nothing, so few prefixes are pruned. Any other
     strategy may have a memory, so it plays every sequence from the start: N! games, times the
     delays. It must play the same game whenever it is started with the same seed.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> worst = covey.worst_case(team, disk)
+    >>> worst.survival_time >= covey.plan(team, disk).survival_time - 1e-9
+    True
     """
     evaders = team_strategy(evaders)
     checked = checked_settings(team, disk, "hidden", update_time, seed, None, objective)

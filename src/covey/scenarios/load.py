@@ -51,6 +51,14 @@ def load_scenario(path: str | os.PathLike[str], *, seed: int | None = None) -> S
 
         [[team.evaders]]
         position = [0.3, 0.1]
+
+    Examples
+    --------
+    >>> import covey
+    >>> from covey import scenarios
+    >>> scenario = covey.load_scenario(scenarios.example_path("fig3"))
+    >>> len(scenario.team), scenario.sensing
+    (5, 'hidden')
     """
     file = SCENARIOS.find(path)
     if seed is not None:

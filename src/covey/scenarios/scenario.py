@@ -34,6 +34,15 @@ class Scenario(Value):
         When a game is stopped; see `simulate`.
     objective
         What the game is about; see `plan` and `simulate`.
+
+    Examples
+    --------
+    >>> import covey
+    >>> from covey import scenarios
+    >>> scenario = covey.load_scenario(scenarios.example_path("uncertain"))
+    >>> game = scenario.simulate()
+    >>> game.capture_sequence.tolist()
+    [2, 0, 3, 1]
     """
 
     team: Team

@@ -19,7 +19,17 @@ from covey.simulation.time_series import time_series
 
 
 class GameStatus(StrEnum):
-    """How a game ended."""
+    """How a game ended.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, time_limit=0.5)
+    >>> game.status is covey.GameStatus.TIME_LIMIT
+    True
+    """
 
     ALL_CAPTURED = "every evader was captured"
     TIME_LIMIT = "stopped at the time limit with evaders alive; raise time_limit to play on"
@@ -104,6 +114,17 @@ class Game(Value):
         explains each capture.
     disk_centers, disk_radii : numpy.ndarray
         (T, 2) and (T,): where the pursuer can be, by what the team knows.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, update_time=0.1)
+    >>> game.evader_positions.shape == (len(game.times), 3, 2)
+    True
+    >>> print(game.status)
+    every evader was captured
     """
 
     team: Team

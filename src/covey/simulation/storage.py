@@ -59,6 +59,21 @@ def save_game(game: Game, path: str | os.PathLike[str]) -> None:
     -----
     Any reader of Parquet files finds the columns:
     `pandas.read_parquet("game.parquet").plot("evader_0_x", "evader_0_y")` draws a path.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> game = covey.simulate(team, disk, update_time=0.1)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     covey.save_game(game, Path(folder) / "game.parquet")
+    ...     again = covey.load_game(Path(folder) / "game.parquet")
+    ...
+    >>> again.survival_time == game.survival_time
+    True
     """
     with whole_file(path) as file:
         write_game(game, file)
@@ -100,6 +115,21 @@ def load_game(path: str | os.PathLike[str]) -> Game:
     InputError
         If there is no such file, it isn't a record of a game, is damaged, holds numbers that no
         game by the rules has, or comes from another version of the format.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> game = covey.simulate(team, disk, update_time=0.1)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     covey.save_game(game, Path(folder) / "game.parquet")
+    ...     again = covey.load_game(Path(folder) / "game.parquet")
+    ...
+    >>> again.capture_sequence.tolist() == game.capture_sequence.tolist()
+    True
     """
     source = Path(path)
     try:

@@ -44,6 +44,21 @@ class Situation:
         Time until the next update. A capture brings a decision before it.
     chooses_start : bool
         Whether the pursuer has still to choose where in the disk it starts; see `Fly.offset`.
+
+    Examples
+    --------
+    >>> import math
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> def flee(situation):
+    ...     # away from the centre of the disk
+    ...     away = situation.team.positions - situation.disk.center
+    ...     return covey.turns_to(situation.team, [math.atan2(y, x) for x, y in away])
+    ...
+    >>> game = covey.simulate(team, disk, evaders=flee, update_time=0.1)
+    >>> round(game.survival_time, 2)
+    3.09
     """
 
     time: float
@@ -80,6 +95,20 @@ class Chase:
     assurance : float
         For the record: time since the start of the game by which this pursuer has captured
         everybody, whatever the evaders do. Default: it assures nothing.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> def downwards(situation):
+    ...     # the lowest first
+    ...     heights = situation.team.positions[:, 1]
+    ...     return covey.Chase(tuple(situation.evaders[i] for i in heights.argsort()))
+    ...
+    >>> game = covey.simulate(team, disk, pursuer=downwards, update_time=0.1)
+    >>> game.capture_sequence.tolist()
+    [2, 0, 1]
     """
 
     sequence: tuple[int, ...]
@@ -101,6 +130,19 @@ class Fly:
     offset : tuple of float
         (2,) from the disk's centre to where the pursuer starts, if it still has to choose that: a
         visible pursuer, at time 0 of a game that begins with a disk. Default: at the centre.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.0]], headings=[0.0])
+    >>> disk = covey.PursuerDisk(capture_radius=0.05)
+    >>> def to_the_right(situation):
+    ...     # along the x axis at full speed
+    ...     return covey.Fly(velocity=(1.0, 0.0))
+    ...
+    >>> game = covey.simulate(team, disk, pursuer=to_the_right, sensing="visible")
+    >>> round(game.survival_time, 3)
+    0.333
     """
 
     velocity: tuple[float, float] = (0.0, 0.0)

@@ -40,6 +40,15 @@ class DelayedGuarantee:
         Guaranteed, however late the pursuer makes each capture.
     resolution : float
         The least over all delays lies between `survival_time` and this much above.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> tree = covey.plan_contingent(team, disk)
+    >>> tree.with_delays.survival_time <= tree.survival_time
+    True
     """
 
     survival_time: float

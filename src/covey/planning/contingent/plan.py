@@ -73,6 +73,18 @@ class ContingentPlan(Value):
         How the ascent that found the plan ended.
     starts, steps : int
         What the search cost: ascents, and their steps of sequential quadratic programming.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> tree = covey.plan_contingent(team, disk)
+    >>> tree.survival_time >= covey.plan(team, disk).survival_time - 1e-9
+    True
+    >>> answer = tree.after(0)
+    >>> answer.evaders
+    (1, 2)
     """
 
     evaders: tuple[int, ...]

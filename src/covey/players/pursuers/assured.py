@@ -40,6 +40,15 @@ class AssuredPursuer:
     hidden pursuer that the rules know as a disk only can't be steered: it keeps to the first
     sequence, and its first assurance holds. The game is taken to be about the last capture,
     whatever the objective is.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, pursuer=covey.AssuredPursuer(), update_time=0.1)
+    >>> round(game.survival_time, 2)
+    3.38
     """
 
     def describe(self) -> Mapping[str, Any]:

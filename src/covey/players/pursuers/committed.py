@@ -33,6 +33,15 @@ class CommittedPursuer(CommittingPursuer):
     Notes
     -----
     Where a game is about the sum of survival times, sequences are compared by that sum.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, pursuer=covey.CommittedPursuer(margin=0.05))
+    >>> game.survival_time >= game.guarantee
+    True
     """
 
     margin: float = 0.01
@@ -57,6 +66,15 @@ class UncommittedPursuer(CommittedPursuer):
     `CommittedPursuer` with a margin of 0; scenario files call it "patient". The team's plan makes
     several sequences equally good, and whichever is followed is worse at the next update. So this
     pursuer dithers, and may never capture anybody (docs/decisions/0005).
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, pursuer=covey.UncommittedPursuer(), update_time=0.1)
+    >>> game.survival_time >= game.guarantee
+    True
     """
 
     margin: float = field(default=0.0, init=False, repr=False)
@@ -82,6 +100,16 @@ class FlyingPursuer:
         As for `CommittedPursuer`.
     offset
         (2,) from the disk's centre to the position at time 0, in radii of the disk, at most 1 long.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk(radius=0.1, capture_radius=0.02)
+    >>> pursuer = covey.FlyingPursuer(offset=(1.0, 0.0))  # from the right edge of the disk
+    >>> game = covey.simulate(team, disk, pursuer=pursuer, update_time=0.05)
+    >>> game.pursuer_positions[0].tolist()
+    [0.1, 0.0]
     """
 
     margin: float = 0.01

@@ -23,6 +23,15 @@ class FixedSequence(FixedOrderPursuer):
     ----------
     sequence
         Each evader's number once. None: 0, 1, 2 and so on, which fits teams of every size.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, pursuer=covey.FixedSequence([2, 0, 1]))
+    >>> game.capture_sequence.tolist()
+    [2, 0, 1]
     """
 
     sequence: tuple[int, ...] | None = None
@@ -62,6 +71,15 @@ class BestSequence(FixedOrderPursuer):
     References
     ----------
     See `KnownSequence`, the team that flies against it.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, pursuer=covey.BestSequence())
+    >>> game.capture_sequence.tolist()
+    [1, 0, 2]
     """
 
     def describe(self) -> Mapping[str, Any]:
@@ -83,6 +101,16 @@ class RandomSequence(FixedOrderPursuer):
         Sequences to draw from, each with every evader's number once. None: all sequences.
     weights
         Probability of each sequence, relative to the others, >= 0. None: all are equally likely.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> pursuer = covey.RandomSequence([(0, 1, 2), (2, 1, 0)], weights=[3.0, 1.0])
+    >>> game = covey.simulate(team, disk, pursuer=pursuer, seed=4)
+    >>> game.capture_sequence.tolist()
+    [2, 1, 0]
     """
 
     sequences: tuple[tuple[int, ...], ...] | None = None

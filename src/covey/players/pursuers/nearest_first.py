@@ -16,6 +16,15 @@ class NearestFirst:
     """Make for the nearest evader until it is captured, then for the next nearest.
 
     A pursuer that is a disk only takes the evader nearest to the disk's centre.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, pursuer=covey.NearestFirst())
+    >>> game.capture_sequence.tolist()
+    [0, 1, 2]
     """
 
     def describe(self) -> Mapping[str, Any]:

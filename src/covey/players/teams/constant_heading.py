@@ -32,6 +32,15 @@ class ConstantHeading(SearchingTeam):
     ----------
     S.-Y. Liu, Z. Zhou, C. Tomlin and J. K. Hedrick, "Evasion as a Team against a Faster Pursuer",
     ACC 2013.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, evaders=covey.ConstantHeading(), update_time=0.1)
+    >>> round(game.survival_time, 2)
+    3.38
     """
 
     file_name = "constant-heading"

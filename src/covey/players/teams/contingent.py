@@ -36,6 +36,15 @@ class Contingent(ReplanningTeam):
     replan_time
         Least time between two plans, >= 0. With 0 the team plans at every update. It always plans
         after a capture.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, evaders=covey.Contingent(depth=1), update_time=0.1)
+    >>> round(game.survival_time, 2)
+    3.56
     """
 
     depth: int | None = None

@@ -36,6 +36,17 @@ class KnownSequence(ReplanningTeam):
     the successive pursuit-and-evasion problem", Cybernetics 24 (1988).
     A. Belousov, Y. Berdyshev, A. Chentsov and A. Chikrii, "Solving the dynamic traveling salesman
     game problem", Cybernetics and Systems Analysis 46 (2010).
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> sequence = [2, 0, 1]
+    >>> told, pursuer = covey.KnownSequence(sequence), covey.FixedSequence(sequence)
+    >>> game = covey.simulate(team, disk, evaders=told, pursuer=pursuer, update_time=0.1)
+    >>> round(game.survival_time, 2)
+    3.62
     """
 
     file_name = "known-sequence"

@@ -43,6 +43,15 @@ class LargestDistance(ReplanningTeam):
     ----------
     T. G. Abramyants, M. N. Ivanov, E. P. Maslov and V. P. Yakhno, "A detection evasion problem",
     Automation and Remote Control 65 (2004).
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, evaders=covey.LargestDistance(), update_time=0.1)
+    >>> round(game.survival_time, 2)
+    3.51
     """
 
     file_name = "largest-distance"

@@ -40,6 +40,15 @@ class OpenLoop:
     ----------
     starts
         Starts of the search for the plan; see `covey.plan`.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, evaders=covey.OpenLoop())
+    >>> round(game.guarantee, 3), round(game.survival_time, 3)
+    (3.365, 3.365)
     """
 
     starts: int = DEFAULT_STARTS
@@ -118,6 +127,16 @@ class IterativeOpenLoop(SearchingTeam):
     replan_time
         Least time between two plans, >= 0. With 0 the team plans at every update. It always plans
         after a capture.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> team_strategy = covey.IterativeOpenLoop(replan_time=0.1)
+    >>> game = covey.simulate(team, disk, evaders=team_strategy)
+    >>> game.survival_time >= game.guarantee
+    True
     """
 
     file_name = "iterative-open-loop"

@@ -16,7 +16,17 @@ from covey.simulation import Situation, TeamPolicy
 
 @dataclass(frozen=True)
 class HoldCourse:
-    """Never turn, as a team that knows of no pursuer."""
+    """Never turn, as a team that knows of no pursuer.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, evaders=covey.HoldCourse(), update_time=0.1)
+    >>> round(game.survival_time, 2)
+    3.15
+    """
 
     def describe(self) -> Mapping[str, Any]:
         """Return the name, as a scenario file gives it."""
@@ -38,6 +48,15 @@ class StraightAway(ReplanningTeam):
     replan_time
         Least time between two plans, >= 0. With 0 the team plans at every update. It always plans
         after a capture.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, evaders=covey.StraightAway(), update_time=0.1)
+    >>> round(game.survival_time, 2)
+    3.09
     """
 
     file_name = "straight-away"

@@ -39,6 +39,15 @@ class SmallestDanger(ReplanningTeam):
     S.-Y. Liu and J. K. Hedrick, "The application of domain of danger in autonomous agent team and
     its effect on exploration efficiency", ACC 2011; the domain of danger is that of W. D. Hamilton,
     "Geometry for the selfish herd", Journal of Theoretical Biology 31 (1971).
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> game = covey.simulate(team, disk, evaders=covey.SmallestDanger(), update_time=0.1)
+    >>> round(game.survival_time, 2)
+    3.16
     """
 
     file_name = "smallest-danger"

@@ -58,6 +58,13 @@ class Study(Value):
     ------
     InputError
         With all mistakes, one a line.
+
+    Examples
+    --------
+    >>> import covey
+    >>> study = covey.Study(starts=20, team_size=[2, 3], sensing="hidden")
+    >>> study.team_size
+    (2, 3)
     """
 
     starts: int = 500

@@ -154,6 +154,18 @@ def load_study(folder: str | os.PathLike[str]) -> StudyResult:
     ------
     InputError
         If the folder holds no study. Its parts are checked when they are read.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import covey
+    >>> study = covey.Study(starts=2, team_size=2, update_time=0.1)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     _ = covey.run_study(study, folder, workers=1)
+    ...     games = covey.load_study(folder).games
+    ...
+    >>> sorted(games.column_names)[:3]
+    ['capture_radius', 'capture_time_0', 'capture_time_1']
     """
     path = Path(folder)
     manifest = read_manifest(path)

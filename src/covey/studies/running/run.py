@@ -66,6 +66,17 @@ def run_study(
         is writing to it.
     OSError
         If a file can't be written, on a full disk for example. Files of earlier chunks stay intact.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import covey
+    >>> study = covey.Study(starts=2, team_size=2, update_time=0.1)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     games = covey.run_study(study, folder, workers=1).games
+    ...
+    >>> games.num_rows  # two starts, each hidden and visible
+    4
     """
     chosen = study if isinstance(study, Study) else read_study(study)
     path = Path(folder)
