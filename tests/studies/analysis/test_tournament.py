@@ -161,7 +161,7 @@ def test_other_studies_have_no_such_picture(tmp_path, capsys):
     assert main(["draw", str(tmp_path), "--output", picture]) == 2
     assert "expected the results of a study" in capsys.readouterr().err
     assert main(["draw", str(tmp_path / "plain"), "--output", picture, "--view", "game"]) == 2
-    assert "--view, --record and --seed are for games" in capsys.readouterr().err
+    assert "--view, --depth, --record and --seed are for games" in capsys.readouterr().err
 
 
 def test_the_picture_shows_every_ratio_once():

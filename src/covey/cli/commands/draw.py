@@ -47,6 +47,10 @@ def draw(
             "default a film if the output is one, else snapshots."
         ),
     ] = None,
+    depth: Annotated[
+        int | None,
+        Parameter(help="With --view tree: how many captures are answered; by default all."),
+    ] = None,
     record: Annotated[
         Path | None,
         Parameter(help="Save the record of the game that was played here, before it is drawn."),
@@ -63,15 +67,19 @@ def draw(
         covey draw results/tournament --output tournament.png
     """
     if Path(file).is_dir():
-        if (view, record, seed) != (None, None, None):
+        if (view, depth, record, seed) != (None, None, None, None):
             raise covey.InputError(
-                f"{file}: --view, --record and --seed are for games; it is a folder"
+                f"{file}: --view, --depth, --record and --seed are for games; it is a folder"
             )
         draw_comparison(Path(file), output)
         return
+    if depth is not None and view != "tree":
+        raise covey.InputError(
+            "--depth: expected --view tree beside it; no other view shows answers to captures"
+        )
     source, chosen = read_scenario_or_game(file, seed), _checked_view(view, output)
     if chosen in ("plan", "tree"):
-        _draw_plan(source, chosen, output, record)
+        _draw_plan(source, chosen, depth, output, record)
     else:
         _draw_game(source, chosen, output, record)
 
@@ -93,7 +101,11 @@ def _checked_view(view: View | None, output: Path) -> View:
 
 
 def _draw_plan(
-    source: covey.Scenario | covey.Game, view: View, output: Path, record: Path | None
+    source: covey.Scenario | covey.Game,
+    view: View,
+    depth: int | None,
+    output: Path,
+    record: Path | None,
 ) -> None:
     """Draw the first plan of a scenario, or the plan that answers captures."""
     if record is not None:
@@ -104,7 +116,7 @@ def _draw_plan(
             "with which plan it began"
         )
     if view == "tree":
-        figure = views.draw_contingent(source.plan_contingent())
+        figure = views.draw_contingent(source.plan_contingent(depth))
     else:
         figure = views.draw_plan(source.team, source.disk, source.plan())
     print_saved(views.save(figure, output))
