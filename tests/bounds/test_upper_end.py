@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import covey
 from covey.bounds.polygon_bound import DENSE, SPARSE, bound_near, opening_towards
-from covey.bounds.upper_end import with_turn_limits, without_turn_limits
+from covey.bounds.upper_end import earliest_end
 from covey.planning.guarantee import about_center
 from flights import ConstantBearing, fly
 from frames import ELSEWHERE
@@ -130,16 +130,17 @@ def test_is_at_least_the_best_answer_whatever_the_unit(game, share):
 @pytest.mark.parametrize("seed", range(4))
 def test_more_turning_never_lowers_an_end_and_frames_do_not_matter(seed):
     team, disk = random_game(np.random.default_rng(seed), 1 + seed)
-    limited, free = with_turn_limits(team, disk), without_turn_limits(team, disk, ())
-    assert limited.time <= free.time * (1.0 + 1e-9)
-    there = with_turn_limits(*ELSEWHERE.game(team, disk))
+    limited, free = earliest_end(team, disk), earliest_end(team, disk, openings=())
+    assert limited.time <= free.time
+    assert limited.needs_limits == (limited.time < free.time)
+    there = earliest_end(*ELSEWHERE.game(team, disk))
     assert there.time == pytest.approx(ELSEWHERE.time * limited.time, rel=1e-7)
 
 
 def test_one_evader_that_cannot_turn_by_hand():
     """It flies towards the pursuer, and is met half way."""
     team = covey.Team([[1.0, 0.0]], [math.pi], 0.25, 0.0)
-    end = with_turn_limits(team, covey.PursuerDisk())
+    end = earliest_end(team, covey.PursuerDisk())
     found = covey.bracket(team, covey.PursuerDisk())
     assert found.upper_by.name == "TURN_LIMITS"
     assert 0.8 <= end.time <= 0.95
