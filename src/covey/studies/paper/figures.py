@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -17,7 +18,7 @@ class Gains(NamedTuple):
     """Mean survival times by turning rate, for one sensing."""
 
     turn_rates: list[float]  # ascending
-    ratios: dict[int, list[Estimate]]  # by team size: means over the mean at the lowest rate
+    ratios: dict[int, list[Estimate]]  # by team size: means over a mean at the lowest rate
     survival: dict[int, list[Estimate]]  # by team size: the means themselves
 
 
@@ -57,16 +58,24 @@ def turn_rate_gains(result: StudyResult) -> dict[str, Gains]:
     grid = result.study["grid"]
     if grid["turn_rate"] == [None]:
         raise InputError("study: expected turn rates to compare, got one of turning radii")
-    return {word: _gains(result, word, sorted(grid["turn_rate"])) for word in grid["sensing"]}
+    chosen = {word: {"sensing": word} for word in grid["sensing"]}
+    return {word: _gains(result, each, each) for word, each in chosen.items()}
 
 
-def _gains(result: StudyResult, sensing: str, rates: list[float]) -> Gains:
+def contingent_gains(result: StudyResult) -> Gains:
+    """Return those of the second team of a study, relative to the first at the lowest rate."""
+    first, second = result.study["grid"]["evaders"]
+    return _gains(result, {"evaders": second}, {"evaders": first})
+
+
+def _gains(result: StudyResult, chosen: Mapping[str, Any], base: Mapping[str, Any]) -> Gains:
+    """Return the gains of cases with the chosen fields, relative to those with the base's."""
+    rates = sorted(result.study["grid"]["turn_rate"])
     moments, ratios, means = result.moments, {}, {}
     for size in result.study["grid"]["team_size"]:
-        cases = [
-            result.case_number(team_size=size, turn_rate=rate, sensing=sensing) for rate in rates
-        ]
-        ratios[size] = [moments.ratio(case, cases[0]) for case in cases]
+        cases = [result.case_number(team_size=size, turn_rate=rate, **chosen) for rate in rates]
+        lowest = result.case_number(team_size=size, turn_rate=rates[0], **base)
+        ratios[size] = [moments.ratio(case, lowest) for case in cases]
         means[size] = [moments.average(case) for case in cases]
     return Gains(rates, ratios, means)
 
