@@ -40,7 +40,7 @@ def main(arguments=None):
 
 def against_delays(seed, trees, plays):
     """Play against trees for starts of section V; tell how near a play came to the guarantee."""
-    nearest, undercut = math.inf, 0
+    nearest, undercut = (math.inf,), 0
     study = covey.Study(starts=trees, seed=seed, team_size=SIZES)
     kinds = itertools.cycle(itertools.product(SIZES, TURN_RATES))
     for k, (size, turn_rate) in zip(range(trees), kinds, strict=False):
@@ -50,10 +50,12 @@ def against_delays(seed, trees, plays):
         least = least_end(tree, np.random.default_rng((seed, k)), plays)
         if least < tree.with_delays.survival_time * (1.0 - TOLERANCE):
             raise SystemExit(f"start {k}, {size} evaders, {turn_rate:g}: {least!r}, {tree}")
-        nearest = min(nearest, least / tree.survival_time)
+        nearest = min(nearest, (least / tree.survival_time, k, size, turn_rate))
         undercut += least < tree.survival_time * (1.0 - TOLERANCE)
     print(f"{trees} trees, {plays} plays with delays against each: none below what is guaranteed")
-    print(f"earliest end over the end without delays: {nearest:.9f}; below 1 in {undercut} trees")
+    ratio, k, size, turn_rate = nearest
+    print(f"earliest end over the end without delays: {ratio:.9f}, below 1 in {undercut} trees")
+    print(f"(start {k}, {size} evaders, turn rate {turn_rate:g})")
 
 
 def least_end(tree, generator, plays):

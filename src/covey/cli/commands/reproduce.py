@@ -107,7 +107,8 @@ def _draw_ratios(folder: Path, fig4: studies.StudyResult, assured: studies.Study
 
 def _draw_gains(folder: Path, fig5: studies.StudyResult, contingent: studies.StudyResult) -> None:
     """Draw Fig. 5, and write its numbers."""
-    gains, beside = studies.turn_rate_gains(fig5), studies.contingent_gains(contingent)
+    gains = studies.turn_rate_gains(fig5)
+    beside = studies.raised(gains["hidden"], studies.answer_gains(contingent))
     save_picture(_gains_figure(gains, beside), folder, "fig5")
     rows = [(word, "iterative-open-loop", each) for word, each in gains.items()]
     write_csv(

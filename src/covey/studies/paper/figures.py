@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -18,7 +19,7 @@ class Gains(NamedTuple):
     """Mean survival times by turning rate, for one sensing."""
 
     turn_rates: list[float]  # ascending
-    ratios: dict[int, list[Estimate]]  # by team size: means over a mean at the lowest rate
+    ratios: dict[int, list[Estimate]]  # by team size: means over those of other cases
     survival: dict[int, list[Estimate]]  # by team size: the means themselves
 
 
@@ -58,26 +59,61 @@ def turn_rate_gains(result: StudyResult) -> dict[str, Gains]:
     grid = result.study["grid"]
     if grid["turn_rate"] == [None]:
         raise InputError("study: expected turn rates to compare, got one of turning radii")
-    chosen = {word: {"sensing": word} for word in grid["sensing"]}
-    return {word: _gains(result, each, each) for word, each in chosen.items()}
+    found = {}
+    for word in grid["sensing"]:
+        cases = _cases(result, sensing=word)
+        found[word] = _gains(
+            result, cases, {size: [row[0]] * len(row) for size, row in cases.items()}
+        )
+    return found
 
 
-def contingent_gains(result: StudyResult) -> Gains:
-    """Return those of the second team of a study, relative to the first at the lowest rate."""
+def answer_gains(result: StudyResult) -> Gains:
+    """Return what the second team of a study gains over the first, at each turning rate."""
     first, second = result.study["grid"]["evaders"]
-    return _gains(result, {"evaders": second}, {"evaders": first})
+    return _gains(result, _cases(result, evaders=second), _cases(result, evaders=first))
 
 
-def _gains(result: StudyResult, chosen: Mapping[str, Any], base: Mapping[str, Any]) -> Gains:
-    """Return the gains of cases with the chosen fields, relative to those with the base's."""
-    rates = sorted(result.study["grid"]["turn_rate"])
-    moments, ratios, means = result.moments, {}, {}
-    for size in result.study["grid"]["team_size"]:
-        cases = [result.case_number(team_size=size, turn_rate=rate, **chosen) for rate in rates]
-        lowest = result.case_number(team_size=size, turn_rate=rates[0], **base)
-        ratios[size] = [moments.ratio(case, lowest) for case in cases]
-        means[size] = [moments.average(case) for case in cases]
-    return Gains(rates, ratios, means)
+def raised(gains: Gains, answers: Gains) -> Gains:
+    """Return the gains of teams that answer captures, from the paper's and what answers gain.
+
+    The errors are those of independent estimates.
+    """
+    ratios = {
+        size: [_product(*pair) for pair in zip(gains.ratios[size], row, strict=True)]
+        for size, row in answers.ratios.items()
+    }
+    return Gains(gains.turn_rates, ratios, answers.survival)
+
+
+def _product(one: Estimate, other: Estimate) -> Estimate:
+    value = one.value * other.value
+    return Estimate(value, value * math.hypot(one.error / one.value, other.error / other.value))
+
+
+def _cases(result: StudyResult, **fields: Any) -> dict[int, list[int]]:
+    """Return the numbers of the cases with these fields, by team size, by ascending turn rate."""
+    grid = result.study["grid"]
+    return {
+        size: [
+            result.case_number(team_size=size, turn_rate=rate, **fields)
+            for rate in sorted(grid["turn_rate"])
+        ]
+        for size in grid["team_size"]
+    }
+
+
+def _gains(
+    result: StudyResult, cases: Mapping[int, list[int]], bases: Mapping[int, list[int]]
+) -> Gains:
+    """Return the means of cases, and their ratios to those of other cases."""
+    moments = result.moments
+    ratios = {
+        size: [moments.ratio(*pair) for pair in zip(row, bases[size], strict=True)]
+        for size, row in cases.items()
+    }
+    means = {size: [moments.average(case) for case in row] for size, row in cases.items()}
+    return Gains(sorted(result.study["grid"]["turn_rate"]), ratios, means)
 
 
 def _by_case(result: StudyResult, column: str) -> Floats:

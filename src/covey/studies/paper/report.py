@@ -13,8 +13,8 @@ from covey.studies.paper.claims import AT_ONE, Claim, fig4_claims, fig5_claims
 from covey.studies.paper.figures import (
     HIDDEN,
     Gains,
+    answer_gains,
     both_times,
-    contingent_gains,
     guarantee_ratios,
     survival_ratios,
     turn_rate_gains,
@@ -63,7 +63,7 @@ def report(
         _fig3(game),
         _fig4(ratios, guarantee_ratios(fig4)),
         _assured(fig4, assured),
-        _fig5(gains),
+        _fig5(gains, contingent.study["starts"]),
         _contingent(contingent),
         _definitions(fig4),
         _again(fig4, fig5),
@@ -158,7 +158,7 @@ starts:
 {_table(heads, rows)}"""
 
 
-def _fig5(gains: Mapping[str, Gains]) -> str:
+def _fig5(gains: Mapping[str, Gains], starts: int) -> str:
     tables = "\n".join(_gains_table(word, each) for word, each in gains.items())
     return f"""\
 ## Fig. 5: what a higher turning rate brings
@@ -167,7 +167,7 @@ def _fig5(gains: Mapping[str, Gains]) -> str:
 
 *Mean survival time over that at the lowest turning rate, from the same starts. Bars: 95 %
 confidence by the delta method for the ratio of two paired means. Broken lines: teams that answer
-captures, as the table at the end of this section says.*
+captures, the solid lines times the ratios of the last table here, from {starts} starts.*
 
 {tables}"""
 
@@ -178,10 +178,10 @@ def _contingent(contingent: StudyResult) -> str:
     starts = contingent.study["starts"]
     return f"""\
 A team that answers captures plans, too, what those left do after the next {depth} captures. The
-ratios are to the paper's team at the lowest turning rate, from the same {starts} starts. The
-pursuer is hidden: a visible one that is committed may never capture everybody of such a team.
+ratios are to the paper's team at the same turning rate, from the same {starts} starts. The pursuer
+is hidden: a visible one that is committed may never capture everybody of such a team.
 
-{_gains_table(HIDDEN, contingent_gains(contingent), skipped=0)}"""
+{_gains_table(HIDDEN, answer_gains(contingent), skipped=0)}"""
 
 
 def _gains_table(word: str, gains: Gains, skipped: int = 1) -> str:
