@@ -286,8 +286,8 @@ SCENARIOS = (
     Bug(
         "own turn rate ignored",
         "scenarios/build.py",
-        "[section.turn_rate if evader.turn_rate is None else evader.turn_rate for",
-        "[section.turn_rate for",
+        "    if evader.turn_rate is not None:\n        return evader.turn_rate\n",
+        "",
         "the turn rate of a single evader in a file has no effect",
     ),
     Bug(
@@ -469,8 +469,8 @@ CLI = (
     Bug(
         "seed ignored",
         "cli/shared/sources.py",
-        "return covey.load_scenario(path, seed=seed)",
-        "return covey.load_scenario(path)",
+        "return covey.load_scenario(name, seed=seed)",
+        "return covey.load_scenario(name)",
         "`--seed` has no effect",
     ),
     Bug(

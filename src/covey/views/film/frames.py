@@ -66,7 +66,7 @@ class FrameRenderer:
         """Render a time of the game as (height, width, 3); video codecs demand even numbers."""
         self._canvas.restore_region(self._background)
         snapshot = snapshot_at(self._game, time)
-        scale = fitting_scale(self.axes, snapshot.team.positions)
+        scale = fitting_scale(self.axes, snapshot.team.positions[snapshot.alive])
         moving = draw_scene(self.axes, snapshot, self._flown, scale)
         moving += draw_numbers(self.axes, snapshot)
         self._title.set_text(self._caption(snapshot))

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from covey.bounds import Bracket
 from covey.planning import Plan
+from covey.views.games.capture_labels import Captures, label_captures
 from covey.views.games.prediction import Prediction, predict
 from covey.views.kit.close_up import close_up, fitting_scale
 from covey.views.kit.layout import Sheet, camera_around, single_map
@@ -20,7 +21,7 @@ from covey.views.kit.markers import (
     draw,
     draw_disk,
 )
-from covey.views.kit.point_labels import NUMBER, label, number_and_time, number_evaders
+from covey.views.kit.point_labels import number_and_time
 from covey.views.kit.sampling import joined, rim, sampled
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
@@ -60,20 +61,15 @@ def draw_plan(
         title = f"guaranteed survival {write(plan.survival_time)}"
     camera = camera_around(joined([lines, start]))
     figure, axes = single_map(camera, Sheet(ax, title, width), team.unit)
-    inset, numbers = close_up(axes, start, lines), range(len(team))
+    inset = close_up(axes, start, lines)
     texts = [
         number_and_time(i, write(time))
         for i, time in zip(expected.evaders.tolist(), expected.times.tolist(), strict=True)
     ]
     for each in (axes, inset) if inset else (axes,):
         _draw_paths(each, plan, expected)
-    if inset:
-        label(axes, expected.points, texts, lines)
-        number_evaders(inset, team.positions, numbers, joined([lines, start]))
-    else:
-        looks = [NUMBER] * len(team) + [{}] * len(texts)
-        places = np.concatenate([team.positions, expected.points])
-        label(axes, places, [*map(str, numbers), *texts], lines, looks=looks)
+    captures = Captures(expected.points, texts)
+    label_captures(axes, inset, team, captures, joined([lines, start]))
     return figure
 
 

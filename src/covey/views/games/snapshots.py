@@ -71,7 +71,8 @@ def draw_snapshots(
     page, maps = maps_in_rows(names, 2, camera, game.team.unit, _FOOT, sheet)
     for axes, snapshot in zip(maps, snapshots, strict=True):
         positions = snapshot.team.positions
-        draw_scene(axes, snapshot, flown, _SCALE * fitting_scale(axes, positions))
+        scale = _SCALE * fitting_scale(axes, positions[snapshot.alive])
+        draw_scene(axes, snapshot, flown, scale)
         number_evaders(axes, positions, range(len(positions)), drawn_lines(snapshot, flown))
     draw_legend(page)
     return page.figure
