@@ -11,6 +11,7 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.version import Version
 
+from covey.cli import main
 from covey.scenarios import load_scenario
 from covey.studies import read_study
 
@@ -102,11 +103,14 @@ def test_the_lowest_versions_that_are_tried_are_the_lowest_that_are_allowed():
     ("document", "read"),
     [("README.md", load_scenario), ("docs/how-to/studies.md", read_study)],
 )
-def test_a_file_that_comes_with_covey_is_copied_as_the_document_says(
-    document, read, tmp_path, monkeypatch
+def test_a_file_to_start_from_is_made_as_the_document_says(
+    document, read, tmp_path, monkeypatch, capsys
 ):
     text = (ROOT / document).read_text(encoding="utf-8")
-    (program,) = re.findall(r'^python -c "(.*)"$', text, re.MULTILINE)
+    (line,) = re.findall(r"^covey (new mine.toml|show \S+ > mine.toml)", text, re.MULTILINE)
+    command, _, redirected = line.partition(" > ")
     monkeypatch.chdir(tmp_path)
-    exec(program, {})
+    assert main(command.split()) == 0
+    if redirected:
+        Path(redirected).write_text(capsys.readouterr().out)
     assert read("mine.toml")

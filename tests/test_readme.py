@@ -1,4 +1,4 @@
-"""The README's program prints what the README says."""
+"""The README's programs print what the README says."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ from pathlib import Path
 README = Path(__file__).parents[1] / "README.md"
 
 
-def test_program_prints_what_it_says(capsys):
-    text = README.read_text()
-    (program,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
-    printed = re.search(r"```python\n.*?```\n\n```text\n(.*?)```", text, re.DOTALL)
-    exec(compile(program, "README.md", "exec"), {})
-    assert capsys.readouterr().out == printed.group(1)
+def test_programs_print_what_it_says(capsys):
+    text, names = README.read_text(), {}
+    told = re.findall(r"```python\n(.*?)```\n\n```text\n(.*?)```", text, re.DOTALL)
+    assert len(told) == text.count("```python")
+    for program, printed in told:
+        exec(compile(program, "README.md", "exec"), names)
+        assert capsys.readouterr().out == printed

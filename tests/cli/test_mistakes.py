@@ -58,7 +58,8 @@ def test_all_mistakes_of_a_file_are_printed_under_its_name(capsys):
         ),
         (
             "plan fig33",
-            'fig33: no such file, and no scenario of that name; did you mean "fig3"?',
+            "fig33: no such file, and no scenario of that name; with covey come everyone, fig3, "
+            'uncertain, unequal, unseen, visible; did you mean "fig3"?',
         ),
         (
             "plan game.parquet",

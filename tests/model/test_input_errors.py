@@ -22,9 +22,8 @@ TEAMS = {
     "words": ({"positions": "here"}, "positions: expected numbers", "'here'"),
     "nothing": ({"positions": None}, "positions: expected numbers", "None"),
     "complex": ({"positions": np.zeros((2, 2), complex)}, "positions: expected numbers", "0.j"),
-    "few headings": ({"headings": [0.0]}, "headings: expected one for each of 2", r"\(1,\)"),
-    "many headings": ({"headings": [0, 0, 0]}, "headings: expected .* 2", r"\(3,\)"),
-    "one heading": ({"headings": 0.0}, "headings: expected .*shape", r"\(\)"),
+    "many headings": ({"headings": [0, 0, 0]}, "headings: expected one number.* 2", r"\(3,\)"),
+    "heading a word": ({"headings": "away"}, "headings: expected num", "'away'.*headings_away"),
     "far place": (
         {"positions": [(0, 0), (1, 1e60)]},
         "positions: .*up to 1e.50",
@@ -39,6 +38,14 @@ TEAMS = {
     "three speeds": ({"speeds": [0.1] * 3}, "speeds: .*one number.* 2 evaders", r"\(3,\)"),
     "negative rate": ({"turn_rates": -1.0}, "turn_rates: .*>= 0", "-1"),
     "nan rate": ({"turn_rates": [1, math.nan]}, "turn_rates: .*>= 0", r"\[1\] = nan"),
+    "negative radius": ({"turn_radii": -1.0}, "turn_radii: .*>= 0", "-1"),
+    "nan radius": ({"turn_radii": [1, math.nan]}, "turn_radii: .*>= 0", r"\[1\] = nan"),
+    "three radii": ({"turn_radii": [1] * 3}, "turn_radii: .*one number.* 2 evaders", r"\(3,\)"),
+    "rates and radii": (
+        {"turn_rates": 1.0, "turn_radii": 1.0},
+        "turn_rates, turn_radii: expected one of them",
+        "both; leave one out",
+    ),
     "rates in a table": ({"turn_rates": np.ones((2, 1))}, "turn_rates: .*one number", r"\(2, 1\)"),
 }
 

@@ -67,3 +67,26 @@ def test_an_evader_as_fast_as_the_pursuer_is_named(speed):
         covey.InputError, match=rf"speeds: .*slower.*\(2\), got speeds\[1\] = {speed:g}"
     ):
         covey.PursuerDisk(speed=2.0).require_faster_than(team)
+
+
+def test_a_pursuer_seen_a_while_ago_may_have_flown_since():
+    disk = covey.PursuerDisk.last_seen((1, 2), within=150, ago=12, speed=45, capture_radius=5)
+    assert disk.center.tolist() == [1.0, 2.0]
+    assert (disk.radius, disk.speed, disk.capture_radius) == (690.0, 45.0, 5.0)
+    assert covey.PursuerDisk.last_seen((1, 2), ago=0).radius == 0.0
+
+
+@pytest.mark.parametrize("wrong", ["within", "ago", "speed"])
+def test_a_sighting_that_can_not_be_is_refused_by_name(wrong):
+    with pytest.raises(covey.InputError, match=f"^{wrong}: expected a finite number >.*got -1"):
+        covey.PursuerDisk.last_seen((1, 2), **{"ago": 1, wrong: -1})
+
+
+def test_headings_away_lead_away_from_the_centre():
+    disk = covey.PursuerDisk((3, 1), 9.0)
+    assert disk.headings_away([(4, 1), (3, 3)]).tolist() == [0.0, np.pi / 2]
+
+
+def test_at_the_centre_no_heading_leads_away():
+    with pytest.raises(covey.InputError, match=r"none at the disk's centre.*got positions\[1\]"):
+        covey.PursuerDisk((3, 1)).headings_away([(4, 1), (3, 1)])

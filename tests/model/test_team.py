@@ -70,3 +70,29 @@ def test_rows_are_a_copy():
     team = covey.Team([(1, 2)], [3])
     team.as_rows()[:] = 0.0
     assert team.positions.tolist() == [[1.0, 2.0]]
+
+
+def test_one_heading_stands_for_all():
+    assert covey.Team(np.zeros((3, 2)), 0.5).headings.tolist() == [0.5] * 3
+
+
+def test_a_turning_radius_is_a_turn_rate_at_full_speed():
+    team = covey.Team(np.zeros((2, 2)), 0.0, [20.0, 30.0], turn_radii=60.0)
+    assert team.turn_rates.tolist() == [20 / 60, 30 / 60]
+
+
+@pytest.mark.parametrize(
+    ("speed", "radius", "rate"),
+    [
+        (20.0, 0.0, math.inf),
+        (0.0, 0.0, math.inf),
+        (0.0, 60.0, 0.0),
+        (20.0, math.inf, 0.0),
+        (0.0, math.inf, 0.0),
+        (20.0, 5e-324, math.inf),
+        (20.0, 1e-150, math.inf),
+    ],
+)
+def test_turning_radii_at_their_limits(speed, radius, rate):
+    """0 turns at once, also where nothing moves; inf can't turn; no rate exceeds the largest."""
+    assert covey.Team([(0, 0)], 0.0, speed, turn_radii=radius).turn_rates.tolist() == [rate]

@@ -203,7 +203,7 @@ def test_an_objective_must_fit_the_team():
     team, disk = random_game(np.random.default_rng(0), 3)
     for objective, message in (
         (covey.ExpectedSurvival([(0, 1)]), "sequences of all 3 evaders"),
-        ("total", "expected LastCapture"),
+        ("total", "expected one of last-capture, total-survival, expected-survival, got 'total'"),
         (covey.TotalSurvival, "expected LastCapture"),
     ):
         with pytest.raises(covey.InputError, match=message):
@@ -215,6 +215,26 @@ def test_an_objective_must_fit_the_team():
         covey.guaranteed_survival(team, disk, np.zeros(3), objective=covey.ExpectedSurvival())
     with pytest.raises(covey.InputError, match="expected ExpectedSurvival"):
         covey.expected_survival(team, disk, np.zeros(3), TOTAL)
+
+
+def test_a_name_stands_for_the_objective_with_its_defaults():
+    team, disk = random_game(np.random.default_rng(0), 2)
+    for name, objective in (
+        ("last-capture", covey.LastCapture()),
+        ("total-survival", TOTAL),
+        ("expected-survival", covey.ExpectedSurvival()),
+    ):
+        plan = covey.plan(team, disk, objective=name, starts=2)
+        assert plan == covey.plan(team, disk, objective=objective, starts=2)
+    by_name = covey.guaranteed_survival(team, disk, plan.turns, objective="total-survival")
+    assert by_name == covey.guaranteed_survival(team, disk, plan.turns, objective=TOTAL)
+    game = covey.simulate(team, disk, objective="total-survival", update_time=0.1)
+    assert game.objective == TOTAL.describe()
+    for team_of_two in ("open-loop", "hold-course"):
+        arguments = {"evaders": team_of_two, "update_time": 0.1}
+        worst = covey.worst_case(team, disk, objective="total-survival", **arguments)
+        assert worst == covey.worst_case(team, disk, objective=TOTAL, **arguments)
+        assert worst.value == pytest.approx(sum(worst.capture_times))
 
 
 def test_the_best_order_is_another_for_the_sum():

@@ -66,6 +66,22 @@ def test_everything_can_be_said(tmp_path):
     assert scenario.pursuer == covey.FixedSequence([1, 0])
 
 
+def test_a_turning_radius_stands_for_the_turn_rate(tmp_path):
+    """That of an evader comes before that of the team, whichever of the two they give."""
+    text = "[team]\nspeed = 0.2\nturn_radius = 0.4\n" + "".join(
+        f"[[team.evaders]]\nposition = [1, {k}]\n{keys}\n"
+        for k, keys in enumerate(["", "speed = 0.1", "turn_rate = 3", "turn_radius = 0"])
+    )
+    assert loaded(tmp_path, text).team.turn_rates.tolist() == [0.5, 0.25, 3.0, math.inf]
+
+
+def test_a_pursuer_may_have_been_seen_a_while_ago(tmp_path):
+    text = "[pursuer]\nspeed = 45\nlast_seen = { position = [1, 2], within = 150, ago = 12 }\n"
+    scenario = loaded(tmp_path, text + "[[team.evaders]]\nposition = [4, 2]\n")
+    assert (*scenario.disk.center, scenario.disk.radius) == (1.0, 2.0, 690.0)
+    assert scenario.team.headings.tolist() == [0.0]
+
+
 def test_a_random_team_stands_in_a_square_around_the_pursuer_and_flies_away(tmp_path):
     text = "[pursuer]\ncenter = [10, 20]\n[team.random]\ncount = 18\nside = 3.0\nseed = 1\n"
     team = loaded(tmp_path, text).team

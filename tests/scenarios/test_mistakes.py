@@ -60,6 +60,14 @@ NO_EVADERS = (
             '"pi/2" (inf is allowed), got -1',
         ),
         (
+            "position = [1, 2]\nturn_radius = -1",
+            "turn_radius: expected a turning radius >= 0 (inf: can't turn), got -1",
+        ),
+        (
+            "position = [1, 2]\nturn_radius = 1\nturn_rate = 1",
+            "turn_radius: expected turn_rate or turn_radius, got both; leave one out",
+        ),
+        (
             "position = [0, 0.0]",
             'heading: expected a heading in radians, got "away" for an evader at the centre of '
             "the pursuer's disk, from where every heading leads away",
@@ -71,7 +79,7 @@ NO_EVADERS = (
         ),
         (
             "position = [1, 2]\nwings = 2",
-            "wings: unknown key; known here: position, heading, speed, turn_rate",
+            "wings: unknown key; known here: position, heading, speed, turn_rate, turn_radius",
         ),
         (
             "position = [1, 2]\nseed = 2",
@@ -123,6 +131,31 @@ def test_a_mistake_of_an_evader(text, line, tmp_path):
             "[pursuer]\nspeed = 0.25",
             "team.speed: expected every evader to be slower than the pursuer (0.25), or it could "
             "flee for ever; got 0.25, the default",
+        ),
+        (
+            "[team]\nturn_rate = 1\nturn_radius = 0.2",
+            "team.turn_radius: expected turn_rate or turn_radius, got both; leave one out",
+        ),
+        (
+            "[pursuer]\nradius = 1\nlast_seen = { position = [0, 0], ago = 1 }",
+            "pursuer.last_seen: expected radius or last_seen, got both; leave one out",
+        ),
+        (
+            "[pursuer]\ncenter = [0, 0]\nradius = 1\nlast_seen = { position = [0, 0], ago = 1 }",
+            "pursuer.last_seen: expected center and radius or last_seen, got both; leave one out",
+        ),
+        (
+            "[pursuer]\nlast_seen = { position = [0, 0] }",
+            "pursuer.last_seen.ago: missing; expected a finite number >= 0",
+        ),
+        (
+            "[pursuer]\nlast_seen = { position = [0, 0], ago = 1, within = -1 }",
+            "pursuer.last_seen.within: expected a finite number >= 0, got -1",
+        ),
+        (
+            "[pursuer]\nlast_seen = { position = [0.3, 0.4], ago = 1 }",
+            'team.evaders[0].heading: expected a heading in radians, got "away" for an evader at '
+            "the centre of the pursuer's disk, from where every heading leads away",
         ),
         (
             "[team]\nspeed = 2",
@@ -225,7 +258,7 @@ def test_a_file_that_is_no_toml_is_refused(content, wanted, tmp_path):
 
 
 def test_a_file_that_is_not_there_and_a_folder_are_refused(tmp_path):
-    with pytest.raises(covey.InputError, match=r"none.toml: can't be read: No such file"):
+    with pytest.raises(covey.InputError, match=r"none.toml: no such file, and no scenario of"):
         load_scenario(tmp_path / "none.toml")
     with pytest.raises(covey.InputError, match="can't be read: "):
         load_scenario(tmp_path)

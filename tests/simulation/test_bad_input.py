@@ -59,7 +59,7 @@ def test_games(strategies):
 
 
 @pytest.mark.parametrize("role", ["evaders", "pursuer"])
-@pytest.mark.parametrize("not_a_strategy", ["open-loop", 3, None])
+@pytest.mark.parametrize("not_a_strategy", ["no-such-name", 3, None])
 def test_what_is_no_strategy(role, not_a_strategy):
     team = covey.Team([(1.0, 0.0)], [0.0])
     with pytest.raises(covey.InputError, match=role):

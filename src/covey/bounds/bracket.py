@@ -10,7 +10,9 @@ from covey.bounds.fixed_sequence import SequencePlan, plan_for_sequence
 from covey.bounds.polygon_bound import last_capture_bound
 from covey.model import PursuerDisk, Team
 from covey.model.angles import unit_vectors
+from covey.model.display import html_table, one_line
 from covey.model.validation import Floats, read_only
+from covey.model.value import Value
 from covey.planning.guarantee import about_center
 from covey.planning.open_loop import Plan, plan
 
@@ -19,7 +21,7 @@ _MAX_IMPROVEMENTS = 8
 
 
 @dataclass(frozen=True, eq=False)
-class Bracket:
+class Bracket(Value):
     """Bounds on the survival time that a team can guarantee, whatever its strategy.
 
     Attributes
@@ -42,6 +44,14 @@ class Bracket:
     plan: Plan
     sequence: tuple[int, ...]
     start: Floats
+
+    def __repr__(self) -> str:
+        """Return both bounds, and the sequence of the upper one, in one line."""
+        return one_line("Bracket", lower=self.lower, upper=self.upper, sequence=self.sequence)
+
+    def _repr_html_(self) -> str:
+        row = {"lower": self.lower, "upper": self.upper, "sequence": self.sequence}
+        return html_table("Bracket", {name: [value] for name, value in row.items()})
 
 
 def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None = None) -> Bracket:

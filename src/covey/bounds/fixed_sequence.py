@@ -13,7 +13,9 @@ from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.maximum.fixed_sequence import latest_in_sequence, new_grids
 from covey.model import PursuerDisk, Team
 from covey.model.angles import wrap_angle
+from covey.model.display import one_line
 from covey.model.validation import Floats, Ints, permutation, read_only
+from covey.model.value import Value
 from covey.planning.guarantee import about_center, capture_times, check_players, pursuit_of
 
 _TURN_TOLERANCE = 1e-9
@@ -31,7 +33,7 @@ class SequenceStatus(StrEnum):
 
 
 @dataclass(frozen=True, eq=False)
-class SequencePlan:
+class SequencePlan(Value):
     """The plan for a pursuer that has announced its capture sequence and keeps to it.
 
     Attributes
@@ -55,6 +57,15 @@ class SequencePlan:
     capture_times: Floats
     survival_time: float
     status: SequenceStatus
+
+    def __repr__(self) -> str:
+        """Return the last capture, the sequence, and how the search ended, in one line."""
+        return one_line(
+            "SequencePlan",
+            survival_time=self.survival_time,
+            sequence=self.sequence,
+            status=self.status,
+        )
 
 
 def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) -> SequencePlan:

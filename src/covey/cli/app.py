@@ -29,6 +29,7 @@ everyone, fig3, uncertain, unequal, unseen, visible.
 
 Try:
 
+    covey new mine.toml
     covey plan fig3
     covey simulate fig3 --output game.parquet
     covey draw game.parquet --output game.png
@@ -42,6 +43,8 @@ not be played; 130 after Ctrl-C; 1 if nobody reads the output to its end.
 """
 
 COMMANDS = (
+    "new",
+    "show",
     "plan",
     "simulate",
     "worst_case",
@@ -70,6 +73,11 @@ for _position, _command in enumerate(COMMANDS):
     app.command(
         f"covey.cli.commands.{_command}:{_command}", help=_help_of(_command), sort_key=_position
     )
+
+
+app.register_install_completion_command(
+    help="Make this shell complete covey's commands and options; bash, zsh, fish, PowerShell."
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -17,6 +17,7 @@ from covey.envs.spaces import direction_space, observation_space, steering_space
 from covey.model import InputError
 from covey.model.validation import Floats
 from covey.players import CommittedPursuer
+from covey.players.names import pursuer_strategy, team_strategy
 from covey.simulation import PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStrategy
 
 
@@ -74,7 +75,7 @@ class PursuerEnv(_OneSide):
     Parameters
     ----------
     evaders
-        The team's strategy, or a function of a `Situation`.
+        The team's strategy, its name, or a function of a `Situation`.
     render_mode
         None, "rgb_array" or "human".
     **setup
@@ -84,12 +85,12 @@ class PursuerEnv(_OneSide):
     def __init__(
         self,
         *,
-        evaders: TeamStrategy | TeamPolicy = TEAM,
+        evaders: TeamStrategy | TeamPolicy | str = TEAM,
         render_mode: str | None = None,
         **setup: Any,
     ) -> None:
         super().__init__(render_mode, setup)
-        self._evaders = evaders
+        self._evaders = team_strategy(evaders)
         self.action_space: Space[Any] = direction_space()
 
     def step(self, action: npt.ArrayLike) -> tuple[Seen, float, bool, bool, dict[str, Any]]:
@@ -107,7 +108,7 @@ class TeamEnv(_OneSide):
     Parameters
     ----------
     pursuer
-        The pursuer's strategy, or a function of a `Situation`.
+        The pursuer's strategy, its name, or a function of a `Situation`.
     render_mode
         None, "rgb_array" or "human".
     **setup
@@ -117,12 +118,12 @@ class TeamEnv(_OneSide):
     def __init__(
         self,
         *,
-        pursuer: PursuerStrategy | PursuerPolicy = CommittedPursuer(),  # noqa: B008 frozen
+        pursuer: PursuerStrategy | PursuerPolicy | str = CommittedPursuer(),  # noqa: B008 frozen
         render_mode: str | None = None,
         **setup: Any,
     ) -> None:
         super().__init__(render_mode, setup)
-        self._pursuer = pursuer
+        self._pursuer = pursuer_strategy(pursuer)
         self.action_space: Space[Any] = steering_space(self.setup.team_size)
 
     def step(self, action: npt.ArrayLike) -> tuple[Seen, float, bool, bool, dict[str, Any]]:

@@ -26,6 +26,7 @@ from covey.players.compiled import (
     pursuer_is_built_in,
     team_is_built_in,
 )
+from covey.players.names import pursuer_strategy, team_strategy
 from covey.players.teams.open_loop import first_memory
 
 
@@ -37,8 +38,8 @@ class PursuerVectorEnv(GameBatch):
     num_envs
         B games.
     evaders
-        `IterativeOpenLoop` or `OpenLoop`. Fewer `starts` and `restarts` plan faster, and a little
-        worse.
+        `IterativeOpenLoop` or `OpenLoop`, or its name. Fewer `starts` and `restarts` plan faster,
+        and a little worse.
     **setup
         Fields of `Setup`: the game.
 
@@ -54,14 +55,15 @@ class PursuerVectorEnv(GameBatch):
         self,
         num_envs: int,
         *,
-        evaders: BuiltInTeam = TEAM,
+        evaders: BuiltInTeam | str = TEAM,
         **setup: Any,
     ) -> None:
-        if not team_is_built_in(evaders):
-            raise InputError(_not_compiled("evaders", evaders, "PursuerEnv"))
+        team = team_strategy(evaders)
+        if not team_is_built_in(team):
+            raise InputError(_not_compiled("evaders", team, "PursuerEnv"))
         super().__init__(num_envs, setup)
         n = self.setup.team_size
-        self._evaders, self._options = evaders, evaders.compiled()
+        self._evaders, self._options = team, team.compiled()
         uniforms = guess_uniforms(0, self._options.restarts, n)
         all_uniforms, lasts = repeated([uniforms, np.zeros(2)], num_envs)
         self._memories = TeamMemory(
@@ -105,7 +107,7 @@ class TeamVectorEnv(GameBatch):
         B games.
     pursuer
         A pursuer that follows sequences: `CommittedPursuer`, `UncommittedPursuer`, `FixedSequence`,
-        `BestSequence`, `RandomSequence`.
+        `BestSequence`, `RandomSequence`; or its name.
     **setup
         Fields of `Setup`: the game.
 
@@ -121,14 +123,15 @@ class TeamVectorEnv(GameBatch):
         self,
         num_envs: int,
         *,
-        pursuer: BuiltInPursuer = CommittedPursuer(),  # noqa: B008 frozen
+        pursuer: BuiltInPursuer | str = CommittedPursuer(),  # noqa: B008 frozen
         **setup: Any,
     ) -> None:
-        if not pursuer_is_built_in(pursuer):
-            raise InputError(_not_compiled("pursuer", pursuer, "TeamEnv"))
+        opponent = pursuer_strategy(pursuer)
+        if not pursuer_is_built_in(opponent):
+            raise InputError(_not_compiled("pursuer", opponent, "TeamEnv"))
         super().__init__(num_envs, setup)
         n = self.setup.team_size
-        self._pursuer = pursuer
+        self._pursuer = opponent
         # The margin is the same for each game.
         self._commitments = Commitments(
             math.inf, np.zeros(num_envs * n, np.int64), np.zeros(num_envs, np.int64)

@@ -1,6 +1,7 @@
 """What a game is: the team, the pursuer's disk, the objective. Values are frozen and checked.
 
-Read `team`, `pursuer_disk` and `objectives`; `angles` and `validation` serve them and all rooms.
+Read `team`, `pursuer_disk` and `objectives`; `angles` and `validation` serve them and all rooms,
+`value` and `display` say how values compare and look.
 """
 
 from covey.model.angles import turns_to, wrap_angle

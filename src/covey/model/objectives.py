@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, NamedTuple
 
@@ -137,6 +137,13 @@ class ExpectedSurvival:
 
 
 Objective = LastCapture | TotalSurvival | ExpectedSurvival
+
+OBJECTIVES: Mapping[str, Callable[..., Objective]] = {
+    "last-capture": LastCapture,
+    "total-survival": TotalSurvival,
+    "expected-survival": ExpectedSurvival,
+}
+"""The objectives, by the names that scenario files know."""
 
 
 def objective_value(objective: Objective, capture_times: npt.ArrayLike) -> float:

@@ -7,20 +7,26 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
+from covey.model.angles import away_from
+from covey.model.display import html_table, one_line
 from covey.model.team import Team
 from covey.model.validation import (
     SMALLEST_SPEED,
     Floats,
     InputError,
+    checked_array,
     frozen_array,
     is_slower,
     number,
 )
+from covey.model.value import Value
 
 
 @dataclass(frozen=True, eq=False)
-class PursuerDisk:
+class PursuerDisk(Value):
     """A pursuer of simple motion that is somewhere in a closed disk: D(x_c, r) of the paper.
+
+    Disks with equal numbers are equal, and have equal hashes.
 
     Parameters
     ----------
@@ -67,6 +73,77 @@ class PursuerDisk:
             ("capture_radius", number("capture_radius", capture_radius, low=0.0)),
         ):
             object.__setattr__(self, name, value)
+
+    def __repr__(self) -> str:
+        """Return all numbers in one line."""
+        return one_line("PursuerDisk", **self._numbers())
+
+    def _repr_html_(self) -> str:
+        numbers = {name.replace("_", " "): [value] for name, value in self._numbers().items()}
+        return html_table("PursuerDisk", numbers)
+
+    def _numbers(self) -> dict[str, object]:
+        return {**vars(self), "center": tuple(self.center.tolist())}
+
+    @classmethod
+    def last_seen(
+        cls,
+        position: npt.ArrayLike,
+        *,
+        within: float = 0.0,
+        ago: float,
+        speed: float = 1.0,
+        capture_radius: float = 0.0,
+    ) -> PursuerDisk:
+        """Return the disk of a pursuer that was last seen some time ago.
+
+        Parameters
+        ----------
+        position
+            (2,) where the pursuer was seen.
+        within
+            >= 0, the length by which that sighting may be wrong.
+        ago
+            >= 0, the time since then.
+        speed, capture_radius
+            As above.
+
+        Returns
+        -------
+        PursuerDisk
+            Around `position`, with r = within + v_p ago: the pursuer may have flown straight in
+            any direction.
+
+        Raises
+        ------
+        InputError
+            If a number is not finite or out of its range.
+
+        Examples
+        --------
+        >>> covey.PursuerDisk.last_seen((0.0, 0.0), within=150.0, ago=12.0, speed=45.0).radius
+        690.0
+        """
+        speed = number("speed", speed, low=0.0, strictly=True)
+        radius = number("within", within, low=0.0) + speed * number("ago", ago, low=0.0)
+        return cls(position, radius, speed, capture_radius)
+
+    def headings_away(self, positions: npt.ArrayLike) -> Floats:
+        """Return the headings (N,), radians, straight away from the centre at `positions` (N, 2).
+
+        Raises
+        ------
+        InputError
+            If a position is the centre, from where every heading leads away.
+        """
+        checked = checked_array("positions", positions, (None, 2))
+        at_center = np.flatnonzero((checked == self.center).all(axis=1))
+        if at_center.size:
+            raise InputError(
+                f"positions: expected none at the disk's centre, from where every heading leads "
+                f"away, got positions[{at_center[0]}]"
+            )
+        return away_from(self.center, checked)
 
     def moved(self, by: Floats) -> PursuerDisk:
         """Return the disk, moved `by` (2,)."""

@@ -9,7 +9,20 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from covey.model.validation import Floats, InputError, Ints, frozen_array, frozen_rates, read_only
+from covey.model.display import html_table, one_line, spread
+from covey.model.validation import (
+    LARGEST,
+    Floats,
+    InputError,
+    Ints,
+    frozen_array,
+    frozen_rates,
+    one_each,
+    read_only,
+)
+from covey.model.value import Value
+
+DEFAULT_TURN_RATE = math.pi / 2
 
 LARGEST_HEADING = 1e9 + 1e6
 """Radians. Double precision tells headings of this size apart to 1e-7.
@@ -19,20 +32,26 @@ An evader that begins with 1e9 comes to no more than this by turning in 200 000 
 
 
 @dataclass(frozen=True, eq=False)
-class Team:
+class Team(Value):
     """A team of N evaders, each flying at constant speed with a limited turning rate.
+
+    Teams with equal numbers are equal, and have equal hashes.
 
     Parameters
     ----------
     positions
         (N, 2), lengths. N >= 1.
     headings
-        (N,), radians counter-clockwise from +x, up to 1e9 in size.
+        One number or (N,), radians counter-clockwise from +x, up to 1e9 in size.
+        `PursuerDisk.headings_away` has those that lead straight away from the pursuer.
     speeds
         One number or (N,), lengths per time, >= 0. Default 0.25 (section V of the paper).
     turn_rates
         One number or (N,), radians per time, >= 0. `inf` is simple motion: the evader turns in no
         time. Default π/2 (section V of the paper).
+    turn_radii
+        Instead of `turn_rates`: one number or (N,), lengths >= 0, of the tightest circle R at full
+        speed. The turn rate is ω = v/R. 0 is simple motion; with `inf` the evader can't turn.
 
     Attributes
     ----------
@@ -42,7 +61,8 @@ class Team:
     Raises
     ------
     InputError
-        If a shape is wrong, a number is not finite, or a speed or turn rate is negative.
+        If a shape is wrong, a number is not finite, a speed, turn rate or radius is negative, or
+        turn rates and radii are both given.
 
     Examples
     --------
@@ -65,28 +85,37 @@ class Team:
         positions: npt.ArrayLike,
         headings: npt.ArrayLike,
         speeds: npt.ArrayLike = 0.25,
-        turn_rates: npt.ArrayLike = math.pi / 2,
+        turn_rates: npt.ArrayLike | None = None,
+        *,
+        turn_radii: npt.ArrayLike | None = None,
     ) -> None:
         positions = frozen_array("positions", positions, (None, 2))
         count = len(positions)
         if count == 0:
             raise InputError("positions: expected at least one evader, got none")
-        headings = frozen_array("headings", headings, (None,), LARGEST_HEADING)
-        if len(headings) != count:
-            raise InputError(
-                f"headings: expected one for each of {count} evaders, got shape {headings.shape}"
-            )
+        speeds = frozen_rates("speeds", speeds, count, infinite=False)
         for name, value in (
             ("positions", positions),
-            ("headings", headings),
-            ("speeds", frozen_rates("speeds", speeds, count, infinite=False)),
-            ("turn_rates", frozen_rates("turn_rates", turn_rates, count, infinite=True)),
+            ("headings", _headings(headings, count)),
+            ("speeds", speeds),
+            ("turn_rates", _turn_rates(speeds, turn_rates, turn_radii)),
         ):
             object.__setattr__(self, name, value)
 
     def __len__(self) -> int:
         """Number of evaders."""
         return len(self.headings)
+
+    def __repr__(self) -> str:
+        """Return how many evaders there are, how fast, and how agile, in one line."""
+        evaders = "1 evader" if len(self) == 1 else f"{len(self)} evaders"
+        rates = {"speeds": spread(self.speeds), "turn_rates": spread(self.turn_rates)}
+        return one_line("Team", evaders, **rates)
+
+    def _repr_html_(self) -> str:
+        names = ("x", "y", "heading", "speed", "turn rate")
+        columns = dict(zip(names, self.as_rows().T.tolist(), strict=True))
+        return html_table(repr(self), {"evader": range(len(self)), **columns})
 
     def take(self, rows: Ints) -> Team:
         """Return the team of the evaders `rows` (M,) alone, in that order."""
@@ -106,3 +135,35 @@ class Team:
         rows[:, :2] = self.positions
         rows[:, 2], rows[:, 3], rows[:, 4] = self.headings, self.speeds, self.turn_rates
         return rows
+
+
+def _headings(headings: npt.ArrayLike, count: int) -> Floats:
+    if isinstance(headings, str):
+        raise InputError(
+            f"headings: expected numbers, got {headings!r}; a team doesn't know where the pursuer "
+            "is: disk.headings_away(positions) has the headings away from it"
+        )
+    each = one_each("headings", headings, count)
+    return frozen_array("headings", each, (count,), LARGEST_HEADING)
+
+
+def _turn_rates(
+    speeds: Floats, turn_rates: npt.ArrayLike | None, turn_radii: npt.ArrayLike | None
+) -> Floats:
+    """Return the turn rates (N,), of which at most one argument tells, checked."""
+    if turn_radii is None:
+        given = DEFAULT_TURN_RATE if turn_rates is None else turn_rates
+        return frozen_rates("turn_rates", given, len(speeds), infinite=True)
+    if turn_rates is not None:
+        raise InputError("turn_rates, turn_radii: expected one of them, got both; leave one out")
+    return rates_of_radii(
+        speeds, frozen_rates("turn_radii", turn_radii, len(speeds), infinite=True)
+    )
+
+
+def rates_of_radii(speeds: npt.ArrayLike, radii: npt.ArrayLike) -> Floats:
+    """Return the turn rates ω = v/R (...) of evaders with speeds v and turning radii R (...)."""
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        rates = np.divide(speeds, radii)
+    # With R = 0 an evader turns at once, also one that stands; so it does where R is all but 0.
+    return read_only(np.where((np.asarray(radii) > 0.0) & (rates <= LARGEST), rates, np.inf))

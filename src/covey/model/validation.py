@@ -96,15 +96,20 @@ def _fits(shape: tuple[int, ...], wanted: tuple[int | None, ...]) -> bool:
     )
 
 
-def frozen_rates(name: str, value: object, count: int, *, infinite: bool) -> Floats:
-    """Broadcast a scalar or (count,) array of rates >= 0 to a read-only (count,) array."""
+def one_each(name: str, value: object, count: int) -> Floats:
+    """Broadcast a scalar or (count,) array of numbers to a new (count,) array."""
     array = _numbers(name, value)
     if array.shape not in {(), (1,), (count,)}:
         raise InputError(
             f"{name}: expected one number, or one for each of {count} evaders, "
             f"got shape {array.shape}"
         )
-    array = np.broadcast_to(array, (count,)).copy()
+    return np.broadcast_to(array, (count,)).copy()
+
+
+def frozen_rates(name: str, value: object, count: int, *, infinite: bool) -> Floats:
+    """Broadcast a scalar or (count,) array of rates >= 0 to a read-only (count,) array."""
+    array = one_each(name, value, count)
     too_large = (array > LARGEST) & ~(np.isinf(array) & infinite)
     bad = np.isnan(array) | (array < 0) | too_large
     _reject(name, array, bad, "numbers >= 0" + (" (inf is allowed)" if infinite else ", finite"))

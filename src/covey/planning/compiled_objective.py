@@ -7,8 +7,8 @@ import numpy as np
 from covey.kernels.maximum.objective import Draws as CompiledDraws
 from covey.kernels.maximum.objective import Objective as CompiledObjective
 from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, TotalSurvival
-from covey.model.objectives import SequenceDistribution, distribution_of
-from covey.model.validation import shown
+from covey.model.objectives import OBJECTIVES, SequenceDistribution, distribution_of
+from covey.model.validation import choice, shown
 
 
 def compiled_objective(objective: Objective, count: int) -> CompiledObjective:
@@ -28,7 +28,9 @@ def compiled_objective(objective: Objective, count: int) -> CompiledObjective:
 
 
 def checked_objective(objective: object) -> Objective:
-    """Return an objective, or raise InputError."""
+    """Return an objective, given as a value or by its name, or raise InputError."""
+    if isinstance(objective, str):
+        return OBJECTIVES[choice("objective", objective, list(OBJECTIVES))]()
     if not isinstance(objective, LastCapture | TotalSurvival | ExpectedSurvival):
         raise InputError(
             "objective: expected LastCapture(), TotalSurvival() or ExpectedSurvival(...), "

@@ -24,6 +24,7 @@ from covey.model import (
     Team,
     TotalSurvival,
 )
+from covey.model.display import html_table
 from covey.model.validation import Floats, checked_array, permutation, require_kind, shown
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.long_calls import interceptions_of_minimum, interruptible
@@ -54,6 +55,9 @@ class Guarantee:
 
     time: float
     sequence: tuple[int, ...]
+
+    def _repr_html_(self) -> str:
+        return html_table("Guarantee", {"time": [self.time], "sequence": [self.sequence]})
 
 
 def pursuit_of(disk: PursuerDisk) -> Pursuit:
@@ -164,7 +168,7 @@ def guaranteed_survival(
     disk: PursuerDisk,
     turns: npt.ArrayLike,
     *,
-    objective: LastCapture | TotalSurvival = LastCapture(),  # noqa: B008 frozen
+    objective: LastCapture | TotalSurvival | str = LastCapture(),  # noqa: B008 frozen
 ) -> Guarantee:
     """Survival time that a plan guarantees: the exact minimum over all capture sequences.
 
@@ -175,7 +179,8 @@ def guaranteed_survival(
     turns
         (N,) signed turns δ, radians.
     objective
-        What is guaranteed: the last capture, or `TotalSurvival()`, the sum of all survival times.
+        What is guaranteed: the last capture, or `TotalSurvival()`, the sum of all survival times;
+        or the name of either in scenario files.
 
     Returns
     -------
@@ -204,12 +209,13 @@ def guaranteed_survival(
     (3.149, (1, 0, 2))
     """
     check_game(team, disk)
-    if isinstance(objective, ExpectedSurvival):
+    chosen = checked_objective(objective)
+    if isinstance(chosen, ExpectedSurvival):
         raise InputError(
             "objective: expected LastCapture() or TotalSurvival(), got an expectation, which "
             "guarantees nothing; expected_survival computes it"
         )
-    total = checked_objective(objective).measure == "total"
+    total = chosen.measure == "total"
     checked = checked_array("turns", turns, (len(team),))
     return worst_sequence(*about_center(team, disk), checked, total)
 

@@ -16,6 +16,7 @@ from covey.kernels.maximum.problem import CONVERGED, STALLED, STEPS_USED_UP, Ite
 from covey.kernels.maximum.working_set import WorkingSet, new_working_set
 from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, PursuerDisk, Team
 from covey.model.angles import wrap_angle
+from covey.model.display import html_table, one_line
 from covey.model.validation import (
     MOST_STARTS,
     Floats,
@@ -25,6 +26,7 @@ from covey.model.validation import (
     shown,
     whole_number,
 )
+from covey.model.value import Value
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.guarantee import (
     about_center,
@@ -71,7 +73,7 @@ PLAN_STATUS = {
 
 
 @dataclass(frozen=True, eq=False)
-class Plan:
+class Plan(Value):
     """A plan for the whole team, and what it guarantees.
 
     Attributes
@@ -122,12 +124,32 @@ class Plan:
     steps: int
     interceptions: int
 
+    def __repr__(self) -> str:
+        """Return what is guaranteed, and how the search ended, in one line."""
+        value = {} if isinstance(self.objective, LastCapture) else {"value": self.value}
+        return one_line(
+            "Plan",
+            survival_time=self.survival_time,
+            **value,
+            evaders=len(self.turns),
+            critical_sequences=len(self.critical_sequences),
+            status=self.status,
+        )
+
+    def _repr_html_(self) -> str:
+        columns = {
+            "evader": range(len(self.turns)),
+            "turn": self.turns.tolist(),
+            "goal heading": self.goal_headings.tolist(),
+        }
+        return html_table(repr(self), columns)
+
 
 def plan(
     team: Team,
     disk: PursuerDisk,
     *,
-    objective: Objective = LastCapture(),  # noqa: B008 frozen
+    objective: Objective | str = LastCapture(),  # noqa: B008 frozen
     seed: int = 0,
     starts: int | None = None,
     tolerance: float = DEFAULT_TOLERANCE,
@@ -143,7 +165,8 @@ def plan(
     objective
         What is made large: by default the last capture, guaranteed; `TotalSurvival()`, the sum of
         all survival times, guaranteed; `ExpectedSurvival(...)`, the expected value of either over a
-        pursuer that draws its sequence.
+        pursuer that draws its sequence. A name as in scenario files is the objective with its
+        defaults.
     seed
         Seed of the random starts. The same call gives the same plan, bit for bit.
     starts
@@ -204,8 +227,8 @@ def plan(
         else whole_number("starts", starts, low=1, high=MOST_STARTS)
     )
     deadline = math.inf if time_limit is None else time.perf_counter() + time_limit
-    compiled = compiled_objective(checked_objective(objective), n)
-    problem = Problem(team.as_rows(), pursuit_of(disk), compiled)
+    objective = checked_objective(objective)
+    problem = Problem(team.as_rows(), pursuit_of(disk), compiled_objective(objective, n))
     warm = None if warm_start is None else _iterate_of(warm_start, team)
     guesses = starts - (warm is not None)
     search = Search(problem, tolerance, guess_uniforms(seed, guesses, n), deadline)

@@ -1,7 +1,7 @@
 """The strategies that come with the package, and the functions that play them.
 
 Teams and pursuers stand in rooms of their own; neither knows how a game is played. Read `teams` and
-`pursuers`, then `compiled` (games played by the kernels), `simulate` and `worst_case`.
+`pursuers`, then `names`, `compiled` (games played by the kernels), `simulate` and `worst_case`.
 """
 
 from covey.players.pursuers.assured import AssuredPursuer

@@ -13,6 +13,7 @@ from covey.kernels.play.rules import State
 from covey.model import Objective, PursuerDisk, Team
 from covey.model.validation import LARGEST
 from covey.planning import Plan, plan
+from covey.planning.compiled_objective import checked_objective
 from covey.planning.guarantee import about_center, check_game, longest_game
 from covey.planning.long_calls import interceptions_of, interruptible
 from covey.players.pursuers.committed import CommittedPursuer
@@ -55,14 +56,14 @@ def checked_settings(
     update_time: float,
     seed: int,
     time_limit: float | None,
-    objective: Objective,
+    objective: Objective | str,
 ) -> Settings:
     """Return the settings of a game; raise InputError if it can't be played."""
     check_game(team, disk)
     if time_limit is None:
         longest = longest_game(team, disk)
         time_limit = longest if 0.0 < longest <= LARGEST else math.inf
-    return Settings(sensing, update_time, seed, time_limit, objective)
+    return Settings(sensing, update_time, seed, time_limit, checked_objective(objective))
 
 
 def initial_game(

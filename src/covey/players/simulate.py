@@ -9,6 +9,7 @@ from covey.players.compiled import (
     pursuer_is_built_in,
     team_is_built_in,
 )
+from covey.players.names import pursuer_strategy, team_strategy
 from covey.players.pursuers.committed import CommittedPursuer
 from covey.players.teams.open_loop import IterativeOpenLoop
 from covey.simulation import (
@@ -29,13 +30,13 @@ def simulate(
     team: Team,
     disk: PursuerDisk,
     *,
-    evaders: TeamStrategy | TeamPolicy = IterativeOpenLoop(),  # noqa: B008 frozen
-    pursuer: PursuerStrategy | PursuerPolicy = CommittedPursuer(),  # noqa: B008 frozen
+    evaders: TeamStrategy | TeamPolicy | str = IterativeOpenLoop(),  # noqa: B008 frozen
+    pursuer: PursuerStrategy | PursuerPolicy | str = CommittedPursuer(),  # noqa: B008 frozen
     sensing: str = "hidden",
     update_time: float = 0.01,
     seed: int = 0,
     time_limit: float | None = None,
-    objective: Objective = LastCapture(),  # noqa: B008 frozen
+    objective: Objective | str = LastCapture(),  # noqa: B008 frozen
 ) -> Game:
     """Play one game and return its record.
 
@@ -45,7 +46,8 @@ def simulate(
         The state at time 0; up to 20 evaders, each slower than the pursuer.
     evaders, pursuer
         Strategies: values that come with the package, your own, or plain functions of a
-        `Situation`.
+        `Situation`. A name as in scenario files, such as "nearest-first", is the strategy with its
+        defaults.
     sensing
         "hidden": the team knows a disk that grows at the pursuer's speed and collapses at each
         capture. "visible": it sees the pursuer at every update.
@@ -57,8 +59,8 @@ def simulate(
         Time at which a game is stopped. None: the time by which a pursuer that keeps to any one
         sequence has captured everybody, whatever the team does.
     objective
-        What the team maximises and the pursuer minimises. These strategies use the objective:
-        `OpenLoop`, `IterativeOpenLoop` and `ConstantHeading` (see `covey.plan`),
+        What the team maximises and the pursuer minimises, as `covey.plan` takes it. These
+        strategies use the objective: `OpenLoop`, `IterativeOpenLoop`, `ConstantHeading`,
         `CommittedPursuer`, `UncommittedPursuer` and `FlyingPursuer`. A pursuer minimises what is
         measured, not its expectation.
 
@@ -93,13 +95,13 @@ def survival(
     team: Team,
     disk: PursuerDisk,
     *,
-    evaders: TeamStrategy | TeamPolicy = IterativeOpenLoop(),  # noqa: B008 frozen
-    pursuer: PursuerStrategy | PursuerPolicy = CommittedPursuer(),  # noqa: B008 frozen
+    evaders: TeamStrategy | TeamPolicy | str = IterativeOpenLoop(),  # noqa: B008 frozen
+    pursuer: PursuerStrategy | PursuerPolicy | str = CommittedPursuer(),  # noqa: B008 frozen
     sensing: str = "hidden",
     update_time: float = 0.01,
     seed: int = 0,
     time_limit: float | None = None,
-    objective: Objective = LastCapture(),  # noqa: B008 frozen
+    objective: Objective | str = LastCapture(),  # noqa: B008 frozen
 ) -> Outcome:
     """Play the game that `simulate` plays, to the last bit, and keep no record of its course.
 
@@ -117,12 +119,13 @@ def survival(
 def _play(
     team: Team,
     disk: PursuerDisk,
-    evaders: TeamStrategy | TeamPolicy,
-    pursuer: PursuerStrategy | PursuerPolicy,
+    evaders: TeamStrategy | TeamPolicy | str,
+    pursuer: PursuerStrategy | PursuerPolicy | str,
     settings: Settings,
     *,
     recorded: bool,
 ) -> Played:
+    evaders, pursuer = team_strategy(evaders), pursuer_strategy(pursuer)
     if team_is_built_in(evaders) and pursuer_is_built_in(pursuer):
         return play_compiled(team, disk, evaders, pursuer, settings, recorded=recorded)
     return play_out(Match(team, disk, evaders, pursuer, settings)).played()

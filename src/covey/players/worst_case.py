@@ -15,6 +15,7 @@ from covey.kernels.play.policy import TeamMemory
 from covey.kernels.play.rules import State
 from covey.kernels.play.to_capture import guaranteed_value, play_to_capture
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team, objective_value
+from covey.model.display import html_table, one_line
 from covey.model.validation import number
 from covey.planning.long_calls import interruptible
 from covey.planning.workspace import workspace
@@ -25,6 +26,7 @@ from covey.players.compiled import (
     initial_game,
     team_is_built_in,
 )
+from covey.players.names import team_strategy
 from covey.players.pursuers.delayed import DelayedSequence
 from covey.players.teams.open_loop import IterativeOpenLoop
 from covey.simulation import Settings, TeamPolicy, TeamStrategy, play
@@ -82,6 +84,24 @@ class WorstCase:
     scope: WorstCaseScope
     flights: int
 
+    def __repr__(self) -> str:
+        """Return the last capture, the order that ends so early, and who was considered."""
+        return one_line(
+            "WorstCase",
+            survival_time=self.survival_time,
+            sequence=self.sequence,
+            scope=self.scope,
+        )
+
+    def _repr_html_(self) -> str:
+        columns = {
+            "capture": range(1, len(self.sequence) + 1),
+            "evader": self.sequence,
+            "time": self.capture_times,
+            "delay": self.delays,
+        }
+        return html_table(repr(self), columns)
+
 
 class Capture(NamedTuple):
     """Who was captured, when, and how long after the earliest capture."""
@@ -95,11 +115,11 @@ def worst_case(
     team: Team,
     disk: PursuerDisk,
     *,
-    evaders: TeamStrategy | TeamPolicy = IterativeOpenLoop(),  # noqa: B008 frozen
+    evaders: TeamStrategy | TeamPolicy | str = IterativeOpenLoop(),  # noqa: B008 frozen
     delays: Sequence[float] = (0.0,),
     update_time: float = 0.01,
     seed: int = 0,
-    objective: Objective = LastCapture(),  # noqa: B008 frozen
+    objective: Objective | str = LastCapture(),  # noqa: B008 frozen
 ) -> WorstCase:
     """Find the capture sequence by which a hidden pursuer ends a team's survival earliest.
 
@@ -147,6 +167,7 @@ def worst_case(
     >>> worst.survival_time >= covey.plan(team, disk).survival_time - 1e-9
     True
     """
+    evaders = team_strategy(evaders)
     checked = checked_settings(team, disk, "hidden", update_time, seed, None, objective)
     settings = replace(checked, time_limit=math.inf)  # captures that wait may come after it
     waits = tuple(dict.fromkeys(number("delays", delay, low=0.0) for delay in delays))
@@ -158,11 +179,11 @@ def worst_case(
         worst, flights = tree.worst, tree.flights
     else:
         games = [*_all_games(team, disk, evaders, waits, settings)]
-        worst = min(games, key=lambda captures: _value(captures, objective))
+        worst = min(games, key=lambda captures: _value(captures, settings.objective))
         flights = len(games) * len(team)
     return WorstCase(
         survival_time=worst[-1].time,
-        value=_value(worst, objective),
+        value=_value(worst, settings.objective),
         sequence=tuple(capture.evader for capture in worst),
         capture_times=tuple(capture.time for capture in worst),
         delays=tuple(capture.delay for capture in worst),

@@ -7,8 +7,15 @@ import math
 import numpy as np
 
 from covey.model import PursuerDisk, Team
+from covey.model.team import rates_of_radii
 from covey.scenarios.scenario import Scenario
-from covey.scenarios.schema import EvaderSection, RandomSection, ScenarioFile, TeamSection
+from covey.scenarios.schema import (
+    EvaderSection,
+    PursuerSection,
+    RandomSection,
+    ScenarioFile,
+    TeamSection,
+)
 from covey.scenarios.values import AWAY
 
 Point = tuple[float, float]
@@ -17,12 +24,13 @@ Point = tuple[float, float]
 def build(file: ScenarioFile, seed: int | None = None) -> Scenario:
     """Make the scenario; `seed` replaces the seed of the file."""
     chosen = file.game.seed if seed is None else seed
-    pursuer = file.pursuer
+    disk = _disk(file.pursuer)
+    x, y = disk.center.tolist()
     return Scenario(
-        team=_team(file.team, pursuer.center, chosen),
-        disk=PursuerDisk(pursuer.center, pursuer.radius, pursuer.speed, pursuer.capture_radius),
+        team=_team(file.team, (x, y), chosen),
+        disk=disk,
         evaders=file.team.strategy,
-        pursuer=pursuer.strategy,
+        pursuer=file.pursuer.strategy,
         sensing=file.game.sensing,
         update_time=file.game.update_time,
         seed=chosen,
@@ -31,16 +39,33 @@ def build(file: ScenarioFile, seed: int | None = None) -> Scenario:
     )
 
 
+def _disk(section: PursuerSection) -> PursuerDisk:
+    speed, reach, seen = section.speed, section.capture_radius, section.last_seen
+    if seen is None:
+        return PursuerDisk(section.center, section.radius, speed, reach)
+    return PursuerDisk.last_seen(
+        seen.position, within=seen.within, ago=seen.ago, speed=speed, capture_radius=reach
+    )
+
+
 def _team(section: TeamSection, center: Point, seed: int) -> Team:
     evaders = list(section.evaders)
     if section.random is not None:
         evaders = _random_evaders(section.random, center, seed)
+    speeds = [section.speed if evader.speed is None else evader.speed for evader in evaders]
     return Team(
         [evader.position for evader in evaders],
         [_heading(evader, section, center) for evader in evaders],
-        [section.speed if evader.speed is None else evader.speed for evader in evaders],
-        [section.turn_rate if evader.turn_rate is None else evader.turn_rate for evader in evaders],
+        speeds,
+        [_turn_rate(*each, section) for each in zip(evaders, speeds, strict=True)],
     )
+
+
+def _turn_rate(evader: EvaderSection, speed: float, section: TeamSection) -> float:
+    if evader.turn_rate is not None:
+        return evader.turn_rate
+    radius = section.turn_radius if evader.turn_radius is None else evader.turn_radius
+    return section.turn_rate if radius is None else float(rates_of_radii(speed, radius))
 
 
 def _heading(evader: EvaderSection, section: TeamSection, center: Point) -> float:

@@ -30,10 +30,16 @@ _WITH_SEQUENCES = (("team", "strategy"), ("pursuer", "strategy"), ("game", "obje
 def inconsistencies(document: Document) -> Iterator[Mistake]:
     """Find what doesn't fit together in a file."""
     yield from _team_size(document)
+    yield from _alternatives(document)
     yield from _speeds(document)
     yield from _headings(document)
     for path in _WITH_SEQUENCES:
         yield from _sequences(document, path)
+
+
+def not_both(one: str, other: KeyPath) -> Mistake:
+    """Return the mistake of a key that stands beside another one, which says the same."""
+    return Mistake(other, f"expected {one} or {other[-1]}, got both; leave one out")
 
 
 def too_fast(path: KeyPath, speed: float, limit: float, note: str = "") -> Mistake:
@@ -65,6 +71,18 @@ def _team_size(document: Document) -> Iterator[Mistake]:
         yield Mistake(("team", "evaders"), wanted_but_got(wanted, len(evaders)))
 
 
+def _alternatives(document: Document) -> Iterator[Mistake]:
+    tables: list[KeyPath] = [("team",)]
+    tables += [("team", "evaders", index) for index in range(len(_evaders(document)))]
+    for path in tables:
+        if all(look(document, *path, key) is not None for key in ("turn_rate", "turn_radius")):
+            yield not_both("turn_rate", (*path, "turn_radius"))
+    if look(document, "pursuer", "last_seen") is not None:
+        given = [key for key in ("center", "radius") if look(document, "pursuer", key) is not None]
+        if given:
+            yield not_both(" and ".join(given), ("pursuer", "last_seen"))
+
+
 def _speeds(document: Document) -> Iterator[Mistake]:
     limit = as_positive(look(document, "pursuer", "speed", default=_default(PursuerSection)))
     for path, given in _all_speeds(document):
@@ -90,7 +108,8 @@ def _all_speeds(document: Document) -> Iterator[tuple[KeyPath, object]]:
 
 
 def _headings(document: Document) -> Iterator[Mistake]:
-    center = as_point(look(document, "pursuer", "center", default=[0.0, 0.0]))
+    seen = look(document, "pursuer", "last_seen", "position", default=[0.0, 0.0])
+    center = as_point(look(document, "pursuer", "center", default=seen))
     shared = look(document, "team", "headings", default=AWAY)
     for index in range(len(_evaders(document))):
         path = ("team", "evaders", index)

@@ -13,6 +13,7 @@ from covey.model import InputError
 from covey.model.validation import whole_number
 from covey.scenarios.build import build
 from covey.scenarios.consistency import inconsistencies
+from covey.scenarios.examples import SCENARIOS
 from covey.scenarios.mistakes import Mistake, mistakes_of, require_none
 from covey.scenarios.scenario import Scenario
 from covey.scenarios.schema import ScenarioFile
@@ -22,12 +23,12 @@ _MOST_LEVELS = 20
 
 
 def load_scenario(path: str | os.PathLike[str], *, seed: int | None = None) -> Scenario:
-    """Load a scenario from its TOML file.
+    """Load a scenario from its TOML file, or one that comes with covey.
 
     Parameters
     ----------
     path
-        The file.
+        The file; or the name of a scenario that comes with covey, such as "fig3".
     seed
         Replaces the seed in [game], and with it that of a [team.random] without a seed.
 
@@ -59,7 +60,7 @@ def load_scenario(path: str | os.PathLike[str], *, seed: int | None = None) -> S
     >>> len(scenario.team), scenario.sensing
     (5, 'hidden')
     """
-    file = Path(path)
+    file = SCENARIOS.find(path)
     if seed is not None:
         whole_number("seed", seed, low=0)
     return build(checked(read_document(file, "a scenario"), file), seed)

@@ -7,13 +7,15 @@ from dataclasses import dataclass
 
 from covey.bounds import Bracket, bracket
 from covey.model import LastCapture, Objective, PursuerDisk, Team
+from covey.model.value import Value
 from covey.planning import ContingentPlan, Plan, plan, plan_contingent
 from covey.players import IterativeOpenLoop, OpenLoop, WorstCase, simulate, worst_case
-from covey.simulation import Game, PursuerStrategy, TeamStrategy
+from covey.players.names import team_strategy
+from covey.simulation import Game, PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStrategy
 
 
 @dataclass(frozen=True, eq=False)
-class Scenario:
+class Scenario(Value):
     """All that `plan` and `simulate` need.
 
     Attributes
@@ -21,7 +23,7 @@ class Scenario:
     team, disk : Team, PursuerDisk
         The state at time 0.
     evaders, pursuer
-        Strategies.
+        Strategies, by value or by name; see `simulate`.
     sensing : str
         "hidden" or "visible".
     update_time : float
@@ -45,13 +47,13 @@ class Scenario:
 
     team: Team
     disk: PursuerDisk
-    evaders: TeamStrategy
-    pursuer: PursuerStrategy
+    evaders: TeamStrategy | TeamPolicy | str
+    pursuer: PursuerStrategy | PursuerPolicy | str
     sensing: str
     update_time: float
     seed: int
     time_limit: float | None
-    objective: Objective = LastCapture()  # noqa: RUF009 frozen
+    objective: Objective | str = LastCapture()  # noqa: RUF009 frozen
 
     def plan(self) -> Plan:
         """Return the open-loop plan, with which a team that flies one begins the game."""
@@ -100,6 +102,7 @@ class Scenario:
     @property
     def _starts(self) -> int | None:
         """Starts of the search for the plan, which strategies that fly none don't name."""
-        if isinstance(self.evaders, OpenLoop | IterativeOpenLoop):
-            return self.evaders.starts
+        evaders = team_strategy(self.evaders)
+        if isinstance(evaders, OpenLoop | IterativeOpenLoop):
+            return evaders.starts
         return None

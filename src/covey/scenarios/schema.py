@@ -1,7 +1,7 @@
 """What a scenario file may contain: its tables, keys, types of value and defaults.
 
-    [pursuer]   center, radius, speed, capture_radius, strategy
-    [team]      speed, turn_rate, headings: defaults of all evaders; strategy;
+    [pursuer]   center and radius, or last_seen; speed, capture_radius, strategy
+    [team]      speed, turn_rate or turn_radius, headings: defaults of all evaders; strategy;
                 then one of [[team.evaders]] and [team.random]
     [game]      objective, sensing, update_time, seed, time_limit
 
@@ -10,11 +10,11 @@ Each key is checked by itself here. What must fit together is in `consistency`.
 
 from __future__ import annotations
 
-import math
 from typing import Annotated, Any
 
 from pydantic import Field
 
+from covey.model.team import DEFAULT_TURN_RATE
 from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Named
 from covey.scenarios.values import (
     AWAY,
@@ -23,6 +23,7 @@ from covey.scenarios.values import (
     NotNegative,
     Point,
     Positive,
+    Radius,
     Rate,
     Section,
     Whole,
@@ -31,11 +32,20 @@ from covey.scenarios.values import (
 from covey.simulation.settings import SENSING
 
 
+class LastSeenSection(Section):
+    """[pursuer.last_seen]: the disk is within + speed · ago around the position."""
+
+    position: Point
+    within: NotNegative = 0.0
+    ago: NotNegative
+
+
 class PursuerSection(Section):
     """[pursuer]: its disk, speed and reach, and the strategy that chooses its next target."""
 
     center: Point = (0.0, 0.0)
     radius: NotNegative = 0.0
+    last_seen: LastSeenSection | None = None
     speed: Positive = 1.0
     capture_radius: NotNegative = 0.0
     strategy: Annotated[Any, Named(PURSUERS)] = Field(default="committed", validate_default=True)
@@ -48,6 +58,7 @@ class EvaderSection(Section):
     heading: Heading | None = None
     speed: NotNegative | None = None
     turn_rate: Rate | None = None
+    turn_radius: Radius | None = None
 
 
 class RandomSection(Section):
@@ -62,7 +73,8 @@ class TeamSection(Section):
     """[team]: defaults of all evaders, and where they are."""
 
     speed: NotNegative = 0.25
-    turn_rate: Rate = math.pi / 2
+    turn_rate: Rate = DEFAULT_TURN_RATE
+    turn_radius: Radius | None = None
     headings: Heading = AWAY
     strategy: Annotated[Any, Named(EVADERS)] = Field(
         default="iterative-open-loop", validate_default=True

@@ -16,27 +16,8 @@ from typing import Any, Literal
 from pydantic import GetCoreSchemaHandler, ValidationError, create_model
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
 
-from covey.model import ExpectedSurvival, LastCapture, TotalSurvival
-from covey.model.objectives import MEASURES
-from covey.players import (
-    AssuredPursuer,
-    BestSequence,
-    CommittedPursuer,
-    ConstantHeading,
-    Contingent,
-    FixedSequence,
-    FlyingPursuer,
-    HoldCourse,
-    IterativeOpenLoop,
-    KnownSequence,
-    LargestDistance,
-    NearestFirst,
-    OpenLoop,
-    RandomSequence,
-    SmallestDanger,
-    StraightAway,
-    UncommittedPursuer,
-)
+from covey.model import objectives
+from covey.players import names
 from covey.scenarios.values import (
     UNKNOWN_NAME,
     AtLeastOne,
@@ -71,42 +52,30 @@ class Entry:
         return create_model(name, __base__=Section, **{"name": (Literal[name], ...), **keys})
 
 
-_STARTS = {"starts": AtLeastOne}
-_RESTARTS = {"restarts": Whole}
-_REPLAN_TIME = {"replan_time": NotNegative}
-_MARGIN = {"margin": Margin}
-_OFFSET = {"offset": Offset}
-_DRAWS = {"sequences": Sequences, "weights": Weights}
-_SEQUENCE = {"sequence": Sequence}
-
-EVADERS = {
-    "open-loop": Entry(OpenLoop, _STARTS),
-    "iterative-open-loop": Entry(IterativeOpenLoop, _STARTS | _RESTARTS | _REPLAN_TIME),
-    "contingent": Entry(Contingent, {"depth": Whole} | _REPLAN_TIME),
-    "constant-heading": Entry(ConstantHeading, _STARTS | _RESTARTS | _REPLAN_TIME),
-    "straight-away": Entry(StraightAway, _REPLAN_TIME),
-    "hold-course": Entry(HoldCourse, {}),
-    "known-sequence": Entry(KnownSequence, _SEQUENCE | _REPLAN_TIME),
-    "largest-distance": Entry(LargestDistance, _REPLAN_TIME),
-    "smallest-danger": Entry(SmallestDanger, _REPLAN_TIME),
+_PARAMETERS: Mapping[str, Any] = {
+    "starts": AtLeastOne,
+    "restarts": Whole,
+    "depth": Whole,
+    "replan_time": NotNegative,
+    "margin": Margin,
+    "offset": Offset,
+    "sequence": Sequence,
+    "sequences": Sequences,
+    "weights": Weights,
+    "measure": one_of(*objectives.MEASURES),
 }
+"""The type of each parameter of a strategy or objective."""
 
-PURSUERS = {
-    "committed": Entry(CommittedPursuer, _MARGIN),
-    "flying": Entry(FlyingPursuer, _MARGIN | _OFFSET),
-    "patient": Entry(UncommittedPursuer, {}),
-    "fixed-sequence": Entry(FixedSequence, _SEQUENCE),
-    "best-sequence": Entry(BestSequence, {}),
-    "assured": Entry(AssuredPursuer, {}),
-    "random-sequence": Entry(RandomSequence, _DRAWS),
-    "nearest-first": Entry(NearestFirst, {}),
-}
 
-OBJECTIVES = {
-    "last-capture": Entry(LastCapture, {}),
-    "total-survival": Entry(TotalSurvival, {}),
-    "expected-survival": Entry(ExpectedSurvival, _DRAWS | {"measure": one_of(*MEASURES)}),
-}
+def _entries(known: Mapping[str, Callable[..., Any]]) -> dict[str, Entry]:
+    return {
+        name: Entry(make, {key: _PARAMETERS[key] for key in signature(make).parameters})
+        for name, make in known.items()
+    }
+
+
+EVADERS, PURSUERS = _entries(names.TEAMS), _entries(names.PURSUERS)
+OBJECTIVES = _entries(objectives.OBJECTIVES)
 
 
 @dataclass(frozen=True, eq=False)

@@ -281,6 +281,12 @@ Rate = Annotated[
         written=float | str,
     ),
 ]
+Radius = Annotated[
+    float,
+    ValueType(
+        "a turning radius >= 0 (inf: can't turn)", lambda value: _at_least_zero(as_number(value))
+    ),
+]
 Sequence = Annotated[list[int], ValueType("a list of evaders' numbers", as_sequence)]
 Sequences = Annotated[
     list[list[int]], ValueType("a list of sequences of evaders' numbers", _sequences)

@@ -8,7 +8,9 @@ from enum import StrEnum
 from typing import Any, NamedTuple
 
 from covey.model import PursuerDisk, Team
+from covey.model.display import html_table, one_line
 from covey.model.validation import Floats, Ints
+from covey.model.value import Value
 
 
 class GameStatus(StrEnum):
@@ -53,7 +55,7 @@ class Outcome(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Game:
+class Game(Value):
     """One game, from time 0 to the last capture.
 
     T rows: one at every update and one at every capture. Each has the state just after the update
@@ -150,6 +152,27 @@ class Game:
     def assurance(self) -> float:
         """Time by which the pursuer had, at time 0, assured the last capture; inf: none."""
         return float(self.assurances[0])
+
+    def __repr__(self) -> str:
+        """Return who played, what was guaranteed, and what came of it, in one line."""
+        sides = {side: str(strategy["name"]) for side, strategy in self.strategies.items()}
+        return one_line(
+            "Game",
+            f"{len(self.team)} evaders",
+            **sides,
+            sensing=self.sensing,
+            guarantee=self.guarantee,
+            survival_time=self.survival_time,
+            status=self.status,
+        )
+
+    def _repr_html_(self) -> str:
+        columns = {
+            "capture": range(1, len(self.capture_times) + 1),
+            "evader": self.capture_sequence.tolist(),
+            "time": self.capture_times.tolist(),
+        }
+        return html_table(repr(self), columns)
 
     def outcome(self) -> Outcome:
         """Return what came of the game, without its course."""

@@ -9,6 +9,7 @@ import pytest
 import covey
 from covey.model import InputError
 from covey.studies import AsVisible, Formation, Study, example_names, example_path, read_study
+from covey.studies.design.case import game_of
 
 
 def test_a_file_says_what_the_value_says(tmp_path):
@@ -95,6 +96,8 @@ def test_all_mistakes_of_a_file_are_told_at_once(tmp_path):
         ({"objective": covey.TotalSurvival}, "objective: expected LastCapture"),
         ({"objective": "expected-survival", "team_size": [2, 9]}, "are too many"),
         ({"turn_rate": "pi/0"}, "turn_rate: expected a turn rate >= 0"),
+        ({"turn_radius": [1, -1]}, r"turn_radius\[1\]: expected a turning radius >= 0"),
+        ({"turn_rate": 1, "turn_radius": 1}, "turn_radius: expected turn_rate or turn_radius, got"),
     ],
 )
 def test_what_cannot_be_is_refused(given, message):
@@ -102,8 +105,18 @@ def test_what_cannot_be_is_refused(given, message):
         Study(**given)
 
 
+def test_a_turning_radius_stands_for_the_turn_rate(tmp_path):
+    path = tmp_path / "study.toml"
+    path.write_text("[grid]\nspeed = [0.1, 0.2]\nturn_radius = [0.4, inf]\nsensing = 'hidden'\n")
+    study = read_study(path)
+    grid = study.describe()["grid"]
+    assert (grid["turn_rate"], grid["turn_radius"]) == ([None], [0.4, math.inf])
+    teams = [game_of(case, study.start(0, 5))[0] for case in study.cases]
+    assert [team.turn_rates[0] for team in teams] == [0.25, 0.0, 0.5, 0.0]
+
+
 def test_a_file_that_is_none_is_an_error(tmp_path):
-    with pytest.raises(InputError, match="can't be read"):
+    with pytest.raises(InputError, match="no such file, and no study of that name"):
         read_study(tmp_path / "none.toml")
     (tmp_path / "broken.toml").write_text("starts = ")
     with pytest.raises(InputError, match="expected a study in TOML"):

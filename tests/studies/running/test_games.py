@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections import namedtuple
 
@@ -9,10 +10,11 @@ import numpy as np
 import pytest
 
 import covey
-from covey.studies import AsVisible, Study, run_study
+from covey.studies import AsVisible, Study, load_study, run_study, turn_rate_gains
 from covey.studies.analysis.summary import summary
 from covey.studies.design.case import Case
 from covey.studies.running.games import play_start
+from covey.studies.running.tables import encoded
 from studies.small_studies import small_study
 
 
@@ -37,6 +39,30 @@ def test_a_row_of_the_table_is_a_game_that_can_be_played_again(tmp_path):
         assert [row[f"captured_{i}"] for i in team] == game.capture_sequence.tolist()
         assert [row[f"capture_time_{i}"] for i in team] == game.capture_times.tolist()
         assert row["guarantee"] == pytest.approx(game.guarantee, rel=1e-12)
+
+
+def test_turning_radii_stand_in_the_table_as_they_were_given(tmp_path):
+    radii = {"turn_radius": [0.2, 0.4], "team_size": 2, "starts": 2, "sensing": "hidden"}
+    result = run_study(small_study(**radii), tmp_path, workers=1)
+    assert result.games["turn_radius"].to_pylist() == [0.2, 0.4] * 2
+    assert result.games["turn_rate"].null_count == 4
+    assert [line.settings for line in summary(result)] == [
+        {"turn_radius": 0.2},
+        {"turn_radius": 0.4},
+    ]
+    with pytest.raises(covey.InputError, match="expected turn rates to compare, got"):
+        turn_rate_gains(load_study(tmp_path))
+
+
+def test_results_from_before_there_were_radii_can_be_read(tmp_path):
+    wanted = run_study(small_study(starts=2, team_size=2), tmp_path, workers=1).games
+    (part,) = (tmp_path / "games").glob("*.parquet")
+    part.write_bytes(encoded(wanted.drop_columns("turn_radius")))
+    manifest = tmp_path / "manifest.json"
+    told = json.loads(manifest.read_text())
+    del told["study"]["grid"]["turn_radius"]
+    manifest.write_text(json.dumps(told))
+    assert len(summary(load_study(tmp_path))) == 2
 
 
 def test_every_start_is_played_in_every_case():

@@ -48,8 +48,11 @@ def plan(
 
         covey plan fig3 --contingent
     """
+    from covey.planning.compiled_objective import checked_objective  # only now: it loads NumPy
+
     scenario = read_scenario(file, seed)
-    last_capture = isinstance(scenario.objective, covey.LastCapture)
+    objective = checked_objective(scenario.objective)
+    last_capture = isinstance(objective, covey.LastCapture)
     if depth is not None and not contingent:
         raise covey.InputError(
             "--depth: expected --contingent beside it; without, none is answered"
@@ -57,7 +60,7 @@ def plan(
     if contingent and not last_capture:
         raise covey.InputError(
             "--contingent: expected a scenario about the last capture, got the objective "
-            f"{scenario.objective.describe()['name']}; leave [game] objective out"
+            f"{objective.describe()['name']}; leave [game] objective out"
         )
     with waiting("planning"):
         bracket = scenario.bracket() if last_capture else None

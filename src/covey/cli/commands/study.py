@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -10,7 +11,6 @@ from cyclopts import Parameter
 from covey import studies
 from covey.cli.shared.arguments import Json
 from covey.cli.shared.outputs import results_folder
-from covey.cli.shared.sources import path_of
 from covey.cli.show.json_output import print_json
 from covey.cli.show.study import print_study, require_all_games, run_with_progress
 
@@ -30,6 +30,13 @@ def study(
             name=["--output", "-o"],
             help="Folder for the results; by default results/ and the name of the file. A study "
             "that was stopped goes on where it was.",
+        ),
+    ] = None,
+    starts: Annotated[
+        int | None,
+        Parameter(
+            help="Starts in place of the file's. Their results have a folder of their own, named "
+            "after their number too."
         ),
     ] = None,
     workers: Annotated[
@@ -56,11 +63,12 @@ def study(
     Try:
 
         covey study fig4 --output fig4
+        covey study fig4 --starts 20
     """
-    examples = {each: studies.example_path(each) for each in studies.example_names()}
-    path = path_of(file, "study", examples)
-    chosen = studies.read_study(path)
-    folder = results_folder(output, path.stem)
+    chosen, name = studies.read_study(file), Path(file).stem
+    if starts is not None:
+        chosen, name = replace(chosen, starts=starts), f"{name}-{starts}-starts"
+    folder = results_folder(output, name)
     result = run_with_progress(chosen, folder, workers, dask)
     if json:
         print_json(_as_json(result))

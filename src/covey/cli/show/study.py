@@ -22,7 +22,7 @@ from covey.cli.shared.outputs import print_saved
 from covey.cli.show.comparison import print_comparison
 from covey.kernels.library.load import load_library
 
-_HEADINGS = {"team_size": "team", "turn_rate": "turn rate", "update_time": "update time"}
+_HEADINGS = {"team_size": "team"}
 
 
 def run_with_progress(

@@ -16,6 +16,7 @@ from covey.kernels.contingent.delays import (
 )
 from covey.kernels.contingent.minimum import TIME, new_levels
 from covey.kernels.contingent.tree import Tree, answer_to
+from covey.model.display import html_table, one_line
 from covey.planning.contingent.moment import Moment, after_capture
 from covey.planning.contingent.search import problem_of
 from covey.planning.workspace import workspace
@@ -52,6 +53,13 @@ class DelayedGuarantee:
 
     survival_time: float
     resolution: float
+
+    def __repr__(self) -> str:
+        """Return both numbers in one line."""
+        return one_line("DelayedGuarantee", **vars(self))
+
+    def _repr_html_(self) -> str:
+        return html_table("DelayedGuarantee", {name: [value] for name, value in vars(self).items()})
 
 
 def with_delays(moment: Moment, tree: Tree, survival_time: float) -> DelayedGuarantee:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
@@ -16,7 +16,9 @@ from covey.kernels.contingent.tree import Tree, answer_to, tree_sizes
 from covey.kernels.maximum.working_set import WorkingSet
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.angles import wrap_angle
+from covey.model.display import html_table, one_line
 from covey.model.validation import Floats, read_only, whole_number
+from covey.model.value import Value
 from covey.planning.contingent.delays import DelayedGuarantee, with_delays
 from covey.planning.contingent.moment import Moment, after_capture
 from covey.planning.contingent.search import deeper_and_deeper, problem_of
@@ -43,7 +45,7 @@ class Node(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class ContingentPlan:
+class ContingentPlan(Value):
     """A plan that answers captures, and what it guarantees. All times count from its beginning.
 
     The policy: the evaders make `turns`. Once evider i has been captured, early or late, those left
@@ -93,7 +95,26 @@ class ContingentPlan:
     status: PlanStatus
     starts: int
     steps: int
-    node: Node = field(repr=False)
+    node: Node
+
+    def __repr__(self) -> str:
+        """Return what is guaranteed, how many captures are answered, and how the search ended."""
+        return one_line(
+            "ContingentPlan",
+            survival_time=self.survival_time,
+            evaders=len(self.turns),
+            depth=self.depth,
+            critical_sequences=len(self.critical_sequences),
+            status=self.status,
+        )
+
+    def _repr_html_(self) -> str:
+        columns = {
+            "evader": self.evaders,
+            "turn": self.turns.tolist(),
+            "goal heading": self.goal_headings.tolist(),
+        }
+        return html_table(repr(self), columns)
 
     @property
     def team(self) -> Team:

@@ -17,7 +17,8 @@ class Case(NamedTuple):
 
     team_size: int
     speed: float
-    turn_rate: float
+    turn_rate: float | None  # None: `turn_radius` tells
+    turn_radius: float | None
     pursuer_speed: float
     disk_radius: float
     capture_radius: float
@@ -42,6 +43,12 @@ class InitialState(NamedTuple):
 def game_of(case: Case, start: InitialState) -> tuple[Team, PursuerDisk]:
     """Return the state of a game at time 0."""
     return (
-        Team(start.positions, start.headings, case.speed, case.turn_rate),
+        Team(
+            start.positions,
+            start.headings,
+            case.speed,
+            case.turn_rate,
+            turn_radii=case.turn_radius,
+        ),
         PursuerDisk((0.0, 0.0), case.disk_radius, case.pursuer_speed, case.capture_radius),
     )

@@ -11,13 +11,15 @@ from covey.model.objectives import distribution_of
 from covey.model.validation import is_slower
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.players import FixedSequence, KnownSequence, RandomSequence
-from covey.scenarios.consistency import too_fast
+from covey.scenarios.consistency import not_both, too_fast
 from covey.scenarios.mistakes import KeyPath, Mistake
 from covey.studies.design.start_table import FromFile
 
 
 def inconsistencies(values: Mapping[str, Any]) -> Iterator[Mistake]:
     """Find what doesn't fit together among the values of all fields, each right by itself."""
+    if values["turn_rate"] is not None and values["turn_radius"] is not None:
+        yield not_both("turn_rate", ("grid", "turn_radius"))
     fastest, slowest = max(values["speed"]), min(values["pursuer_speed"])
     if not is_slower(fastest, slowest):
         yield too_fast(("grid", "speed"), fastest, slowest)

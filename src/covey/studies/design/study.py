@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
@@ -12,7 +11,9 @@ from typing import Any
 import numpy as np
 
 from covey.model import LastCapture
+from covey.model.team import DEFAULT_TURN_RATE
 from covey.model.validation import InputError
+from covey.model.value import Value
 from covey.players import CommittedPursuer, IterativeOpenLoop
 from covey.scenarios.samplers import Sampler, Square
 from covey.simulation.strategy import description
@@ -21,7 +22,7 @@ from covey.studies.design.start_table import FromFile
 
 
 @dataclass(frozen=True, eq=False)
-class Study:
+class Study(Value):
     """Many games: every start in every case of a grid, so that all comparisons are paired.
 
     The first four are single values. Each of the others is a value or a sequence of values, and
@@ -39,8 +40,11 @@ class Study:
         Whether the course of every game is kept too.
     team_size
         Evaders, 1 to 20.
-    speed, turn_rate
-        Of every evader; "pi/2" or "90 deg" will do for a turn rate. Default: the paper's.
+    speed
+        Of every evader. Default: the paper's.
+    turn_rate, turn_radius
+        Of every evader, one of the two; "pi/2" or "90 deg" will do for a turn rate. With a turning
+        radius R the rate is ω = speed/R in each case. Default: the paper's turn rate, π/2.
     pursuer_speed, disk_radius, capture_radius
         The pursuer, in a disk around the origin.
     update_time, sensing
@@ -69,7 +73,8 @@ class Study:
     trajectories: bool = False
     team_size: Any = 5
     speed: Any = 0.25
-    turn_rate: Any = math.pi / 2
+    turn_rate: Any = None
+    turn_radius: Any = None
     pursuer_speed: Any = 1.0
     disk_radius: Any = 0.0
     capture_radius: Any = 0.0
@@ -90,13 +95,15 @@ class Study:
         if mistakes:
             lines = [str(mistake).removeprefix("grid.") for mistake in mistakes]
             raise InputError("study: " + "\n  ".join(lines))
+        if values["turn_rate"] is None and values["turn_radius"] is None:
+            values["turn_rate"] = (DEFAULT_TURN_RATE,)
         for name, value in values.items():
             object.__setattr__(self, name, value)
 
     @cached_property
     def cases(self) -> tuple[Case, ...]:
         """All combinations of the grid, the last field fastest."""
-        return tuple(Case(*values) for values in product(*(getattr(self, name) for name in GRID)))
+        return tuple(Case(*values) for values in product(*map(self._values, GRID)))
 
     @property
     def games(self) -> int:
@@ -120,8 +127,13 @@ class Study:
         """Return all that the games follow from, as a study file gives it."""
         own = [field.name for field in fields(self) if field.name not in GRID]
         described = {name: plain(getattr(self, name)) for name in own}
-        described["grid"] = {name: [plain(v) for v in getattr(self, name)] for name in GRID}
+        described["grid"] = {name: [plain(v) for v in self._values(name)] for name in GRID}
         return described
+
+    def _values(self, name: str) -> tuple[Any, ...]:
+        """Return the values of a field of the grid; None is that of a field that isn't given."""
+        given = getattr(self, name)
+        return (None,) if given is None else given
 
 
 def _kept(value: object) -> object:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.model.validation import Floats
+from covey.model.validation import Floats, InputError
 from covey.studies.running.results import StudyResult
 from covey.studies.statistics import Estimate
 
@@ -55,6 +55,8 @@ def guarantee_ratios(result: StudyResult) -> dict[int, Floats]:
 def turn_rate_gains(result: StudyResult) -> dict[str, Gains]:
     """Return, for each sensing, the mean survival times by turning rate and team size (Fig. 5)."""
     grid = result.study["grid"]
+    if grid["turn_rate"] == [None]:
+        raise InputError("study: expected turn rates to compare, got one of turning radii")
     return {word: _gains(result, word, sorted(grid["turn_rate"])) for word in grid["sensing"]}
 
 

@@ -83,8 +83,10 @@ def extent_of(manifest: Mapping[str, Any], number: int) -> Extent:
 
 
 def _complete(manifest: Mapping[str, Any]) -> None:
-    """Add what early versions of covey did not write down: that the last capture counted."""
-    manifest["study"]["grid"].setdefault("objective", [LastCapture().describe()])
+    """Add what early versions of covey did not write down: they knew one objective, no radii."""
+    grid = manifest["study"]["grid"]
+    grid.setdefault("objective", [LastCapture().describe()])
+    grid.setdefault("turn_radius", [None])
 
 
 def _require_counts(manifest: Mapping[str, Any]) -> None:
@@ -112,6 +114,8 @@ def _require_value(name: str, value: Any) -> None:
         described_text(value)
     elif name == "sensing":
         choice(name, value, SENSING)
+    elif value is None and name in ("turn_rate", "turn_radius"):
+        pass  # the other one is given
     elif not isinstance(value, int | float):
         raise TypeError(f"{name}: expected a number, got {shown(value)}")
     elif name == "team_size" and whole_number(name, value, low=1) > MOST_EVADERS:

@@ -16,8 +16,8 @@ from covey.studies.running.tables import GAMES, decoded, schema
 if TYPE_CHECKING:
     import pyarrow as pa
 
-_ADDED = {"objective", "planned_value", "value"}
-"""Columns that the tables of early versions lack: their games were about the last capture."""
+_ADDED = {"objective", "planned_value", "value", "turn_radius"}
+"""Columns that the tables of early versions lack: they knew one objective, and no radii."""
 
 
 class Extent(NamedTuple):

@@ -41,6 +41,10 @@ class StudyResult:
     ) -> None:
         self.folder, self.manifest, self.failures = folder, manifest, failures
 
+    def __repr__(self) -> str:
+        """Return the folder, and how many games the study has, in one line."""
+        return f"StudyResult({str(self.folder)!r}, {self.manifest['games']} games)"
+
     @property
     def study(self) -> dict[str, Any]:
         """The study with the keys and values of a study file."""

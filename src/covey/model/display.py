@@ -1,0 +1,48 @@
+"""How a value looks: one line at the prompt, a small table in a notebook."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from enum import Enum
+from html import escape
+from itertools import islice
+
+from covey.model.validation import Floats
+
+_MOST_ROWS = 20
+
+
+def one_line(kind: str, *facts: str, **named: object) -> str:
+    """Write a value as kind(fact, ..., name=value, ...), numbers to six digits."""
+    return f"{kind}({', '.join([*facts, *(f'{name}={brief(v)}' for name, v in named.items())])})"
+
+
+def brief(value: object) -> str:
+    """Write a number to six digits, a tuple of such, or the name of a status."""
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, tuple):
+        return f"({', '.join(map(brief, value))})"
+    return value.name if isinstance(value, Enum) else str(value)
+
+
+def spread(values: Floats) -> str:
+    """Write the value (N,) that all evaders have, or the least and the largest one."""
+    least, largest = float(values.min()), float(values.max())
+    return brief(least) if least == largest else f"{brief(least)} to {brief(largest)}"
+
+
+def html_table(caption: str, columns: Mapping[str, Iterable[object]]) -> str:
+    """Write a table of columns by their headings, of which the first rows are shown."""
+    rows = [*islice(zip(*columns.values(), strict=True), _MOST_ROWS + 1)]
+    if len(rows) > _MOST_ROWS:
+        rows[_MOST_ROWS] = ("…",) * len(columns)
+    head = "".join(f"<th>{escape(name)}</th>" for name in columns)
+    body = "".join(
+        "<tr>" + "".join(f"<td>{escape(brief(cell))}</td>" for cell in row) + "</tr>"
+        for row in rows
+    )
+    return (
+        f"<table><caption>{escape(caption)}</caption>"
+        f"<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+    )
