@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -30,6 +31,24 @@ def test_a_new_scenario_is_the_situation_that_it_tells():
     scenario = covey.load_scenario("mine.toml")
     assert scenario.disk.radius == 150 + 45 * 12
     assert scenario.team.turn_rates[:2].tolist() == [20 / 60] * 2
+
+
+def test_the_tables_of_a_new_scenario_name_its_units(capsys):
+    assert main(["new", "mine.toml"]) == 0
+    assert main(["plan", "mine.toml", "--contingent"]) == 0
+    text = capsys.readouterr().out
+    assert re.search(r"guaranteed survival time +[\d.]+ s *\n", text)
+    assert "position (m)" in text
+    assert "then survives (s)" in text
+    assert main(["simulate", "mine.toml"]) == 0
+    text = capsys.readouterr().out
+    assert re.search(r"survival time +[\d.]+ s  \(", text)
+    assert "time (s)" in text
+    assert "place (m)" in text
+    assert main(["worst-case", "mine.toml"]) == 0
+    text = capsys.readouterr().out
+    assert re.search(r"least survival time +[\d.]+ s *\n", text)
+    assert "waited (s)" in text
 
 
 def test_a_file_that_exists_is_left_as_it_is(capsys):

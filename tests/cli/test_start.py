@@ -33,7 +33,9 @@ def loaded(statement, modules):
     return ast.literal_eval(done.stderr.splitlines()[-1])
 
 
-@pytest.mark.parametrize("room", ["covey", "covey.scenarios", "covey.studies", "covey.views"])
+@pytest.mark.parametrize(
+    "room", ["covey", "covey.model.units", "covey.scenarios", "covey.studies", "covey.views"]
+)
 def test_a_room_of_public_names_loads_nothing_heavy(room):
     assert loaded(f"import {room}", HEAVY) == []
 

@@ -37,6 +37,22 @@ def test_a_study_is_played_and_summed_up(file, capsys):
     assert covey.load_study("results/small").is_complete
 
 
+def test_angles_are_shown_as_they_were_typed(file, capsys):
+    file.write_text(SMALL.replace("[1.0, 2.0]", '["10 deg", "pi/2", 1.0]').replace("20", "1"))
+    for _ in range(2):  # the second time from the results that are there
+        assert main(["study", "small.toml", "--workers", "1"]) == 0
+        shown = capsys.readouterr().out
+        assert all(text in shown for text in ("10 deg", "pi/2", "Means over 1 start,"))
+        assert "0.17" not in shown
+        assert "nan" not in shown
+    file.write_text(file.read_text().replace("10 deg", "20 deg"))
+    assert main(["study", "small.toml", "--workers", "1"]) == 2
+    assert (
+        'grid.turn_rate: is ["10 deg", "pi/2", "1.0"] there, and ["20 deg", "pi/2", "1.0"] now'
+        in capsys.readouterr().err
+    )
+
+
 def test_json_has_all_digits(file, capsys):
     assert main(["study", "small.toml", "--workers", "1", "--output", "there", "--json"]) == 0
     told = json.loads(capsys.readouterr().out)

@@ -31,6 +31,7 @@ def test_everything_can_be_said(tmp_path):
     scenario = loaded(
         tmp_path,
         """
+        unit = "km"
         [pursuer]
         center = [1, 2]
         radius = 0.5
@@ -40,7 +41,7 @@ def test_everything_can_be_said(tmp_path):
         [team]
         speed = 0.5
         turn_rate = "90 deg"
-        headings = "pi"
+        heading = "pi"
         strategy = { name = "open-loop", starts = 4 }
         evaders = [
             { position = [3, 4] },
@@ -55,6 +56,7 @@ def test_everything_can_be_said(tmp_path):
     )
     assert scenario.team.positions.tolist() == [[3.0, 4.0], [5.0, 6.0]]
     assert scenario.team.headings.tolist() == [math.pi, math.pi / 4]
+    assert scenario.team.unit == "km"
     assert scenario.team.speeds.tolist() == [0.5, 0.0]
     assert scenario.team.turn_rates.tolist() == [math.pi / 2, math.inf]
     assert scenario.disk.center.tolist() == [1.0, 2.0]
@@ -171,3 +173,20 @@ def test_a_path_may_be_text(tmp_path):
     path = tmp_path / "game.toml"
     path.write_text(ONE_EVADER)
     assert len(load_scenario(str(path)).team) == 1
+
+
+def test_the_heading_of_all_may_also_be_written_in_plural(tmp_path):
+    evaders = "[[team.evaders]]\nposition = [1, 0]\n"
+    singular, plural = (
+        loaded(tmp_path, f"[team]\n{key} = 2.0\n{evaders}") for key in ("heading", "headings")
+    )
+    assert singular == plural
+    assert singular.team.headings.tolist() == [2.0]
+    with pytest.raises(covey.InputError, match=r"team.headings: unknown key; did you mean"):
+        loaded(tmp_path, f"[team]\nheading = 2.0\nheadings = 1.0\n{evaders}")
+
+
+@pytest.mark.parametrize("unit", ["3", '""', '"two words"'])
+def test_a_unit_is_a_short_word(tmp_path, unit):
+    with pytest.raises(covey.InputError, match=r'unit: expected a short word such as "m", got'):
+        loaded(tmp_path, f"unit = {unit}\n[[team.evaders]]\nposition = [1, 0]\n")

@@ -1,30 +1,10 @@
 """What a game is: the team, the pursuer's disk, the objective. Values are frozen and checked.
 
 Read `team`, `pursuer_disk` and `objectives`; `angles` and `validation` serve them and all rooms,
-`value` and `display` say how values compare and look.
+`value`, `display` and `units` say how values compare and look. The public names stand in
+`__init__.pyi`; NumPy is loaded with the first of them.
 """
 
-from covey.model.angles import turns_to, wrap_angle
-from covey.model.objectives import (
-    ExpectedSurvival,
-    LastCapture,
-    Objective,
-    TotalSurvival,
-    objective_value,
-)
-from covey.model.pursuer_disk import PursuerDisk
-from covey.model.team import Team
-from covey.model.validation import InputError
+import lazy_loader
 
-__all__ = [
-    "ExpectedSurvival",
-    "InputError",
-    "LastCapture",
-    "Objective",
-    "PursuerDisk",
-    "Team",
-    "TotalSurvival",
-    "objective_value",
-    "turns_to",
-    "wrap_angle",
-]
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

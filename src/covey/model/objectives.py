@@ -11,6 +11,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from covey.model.units import counted
 from covey.model.validation import (
     Floats,
     InputError,
@@ -174,7 +175,8 @@ def distribution_of(
         sequences = tuple(itertools.permutations(range(count)))
     if len(sequences[0]) != count:
         raise InputError(
-            f"{name}: expected sequences of all {count} evaders, got {shown(list(sequences[0]))}"
+            f"{name}: expected sequences of all {counted(count, 'evader')}, "
+            f"got {shown(list(sequences[0]))}"
         )
     shares = np.ones(len(sequences)) if weights is None else np.array(weights)
     return SequenceDistribution(np.array(sequences, dtype=np.int64), shares / shares.sum())

@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.model.display import html_table, one_line, spread
+from covey.model.units import Units, counted, titled, units_with, with_unit
 from covey.model.validation import (
     LARGEST,
     Floats,
@@ -19,6 +20,7 @@ from covey.model.validation import (
     frozen_rates,
     one_each,
     read_only,
+    unit_name,
 )
 from covey.model.value import Value
 
@@ -52,33 +54,42 @@ class Team(Value):
     turn_radii
         Instead of `turn_rates`: one number or (N,), lengths >= 0, of the tightest circle R at full
         speed. The turn rate is ω = v/R. 0 is simple motion; with `inf` the evader can't turn.
+    unit
+        The unit of all lengths of the game, "m" for example; all times are in seconds then. Tables
+        and pictures name the units; nothing is converted. Default: no unit is named.
 
     Attributes
     ----------
     positions, headings, speeds, turn_rates : numpy.ndarray
         As above, broadcast to one row an evader, read-only.
+    unit : str
+        As above.
 
     Raises
     ------
     InputError
-        If a shape is wrong, a number is not finite, a speed, turn rate or radius is negative, or
-        turn rates and radii are both given.
+        If a shape is wrong, a number is not finite, a speed, turn rate or radius is negative,
+        turn rates and radii are both given, or the unit isn't a short word.
 
     Examples
     --------
-    >>> import math
     >>> import covey
-    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4]], headings=[0.0, math.pi], speeds=[0.25, 0.2])
-    >>> len(team)
-    2
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4]], headings=[0.3, 2.0], speeds=[0.25, 0.2])
     >>> team.turn_rates.round(4).tolist()
     [1.5708, 1.5708]
+
+    In metres and seconds, with a turning radius:
+
+    >>> team = covey.Team([[900.0, 300.0]], [0.3], speeds=20.0, turn_radii=60.0, unit="m")
+    >>> team.turn_rates.round(4).tolist()
+    [0.3333]
     """
 
     positions: Floats
     headings: Floats
     speeds: Floats
     turn_rates: Floats
+    unit: str
 
     def __init__(
         self,
@@ -88,6 +99,7 @@ class Team(Value):
         turn_rates: npt.ArrayLike | None = None,
         *,
         turn_radii: npt.ArrayLike | None = None,
+        unit: str = "",
     ) -> None:
         positions = frozen_array("positions", positions, (None, 2))
         count = len(positions)
@@ -99,6 +111,7 @@ class Team(Value):
             ("headings", _headings(headings, count)),
             ("speeds", speeds),
             ("turn_rates", _turn_rates(speeds, turn_rates, turn_radii)),
+            ("unit", unit_name("unit", unit)),
         ):
             object.__setattr__(self, name, value)
 
@@ -108,19 +121,38 @@ class Team(Value):
 
     def __repr__(self) -> str:
         """Return how many evaders there are, how fast, and how agile, in one line."""
-        evaders = "1 evader" if len(self) == 1 else f"{len(self)} evaders"
-        rates = {"speeds": spread(self.speeds), "turn_rates": spread(self.turn_rates)}
-        return one_line("Team", evaders, **rates)
+        units = self.units
+        return one_line(
+            "Team",
+            counted(len(self), "evader"),
+            speeds=with_unit(spread(self.speeds), units.speed),
+            turn_rates=with_unit(spread(self.turn_rates), units.turn_rate),
+        )
 
     def _repr_html_(self) -> str:
-        names = ("x", "y", "heading", "speed", "turn rate")
+        length, _, speed, rate = self.units
+        names = (
+            *(titled(axis, length) for axis in ("x", "y")),
+            titled("heading", "rad"),
+            titled("speed", speed),
+            titled("turn rate", rate),
+        )
         columns = dict(zip(names, self.as_rows().T.tolist(), strict=True))
         return html_table(repr(self), {"evader": range(len(self)), **columns})
+
+    @property
+    def units(self) -> Units:
+        """What tables and pictures write beside lengths, times, speeds and turn rates."""
+        return units_with(self.unit)
 
     def take(self, rows: Ints) -> Team:
         """Return the team of the evaders `rows` (M,) alone, in that order."""
         return Team(
-            self.positions[rows], self.headings[rows], self.speeds[rows], self.turn_rates[rows]
+            self.positions[rows],
+            self.headings[rows],
+            self.speeds[rows],
+            self.turn_rates[rows],
+            unit=self.unit,
         )
 
     def moved(self, by: Floats) -> Team:

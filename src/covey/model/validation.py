@@ -11,11 +11,14 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from covey.model.units import counted
+
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 
 
 _MOST_SHOWN = 80
+_LONGEST_UNIT = 12
 LARGEST = 1e50
 """Largest length, speed, rate or time. Products of a few of them must be finite."""
 SMALLEST_SPEED = 1.0 / LARGEST
@@ -101,7 +104,7 @@ def one_each(name: str, value: object, count: int) -> Floats:
     array = _numbers(name, value)
     if array.shape not in {(), (1,), (count,)}:
         raise InputError(
-            f"{name}: expected one number, or one for each of {count} evaders, "
+            f"{name}: expected one number, or one for each of {counted(count, 'evader')}, "
             f"got shape {array.shape}"
         )
     return np.broadcast_to(array, (count,)).copy()
@@ -144,6 +147,20 @@ def whole_number(name: str, value: object, *, low: int, high: int | None = None)
     return int(value)
 
 
+def is_unit_name(value: object) -> bool:
+    """Tell whether a value can name a unit: a short word, or no word at all."""
+    return isinstance(value, str) and (
+        value == "" or (len(value) <= _LONGEST_UNIT and value.isprintable() and " " not in value)
+    )
+
+
+def unit_name(name: str, value: object) -> str:
+    """Return `value` if it can name a unit."""
+    if not is_unit_name(value):
+        raise InputError(f'{name}: expected a short word such as "m", got {shown(value)}')
+    return str(value)
+
+
 def choice(name: str, value: object, allowed: Sequence[str]) -> str:
     """Return `value` if it is one of `allowed`."""
     if not isinstance(value, str) or value not in allowed:
@@ -183,7 +200,8 @@ def require_whole_team(name: str, sequence: tuple[int, ...], count: int) -> None
     """Raise InputError unless the sequence is one of `count` evaders."""
     if len(sequence) != count:
         raise InputError(
-            f"{name}: expected a sequence of all {count} evaders, got {shown(list(sequence))}"
+            f"{name}: expected a sequence of all {counted(count, 'evader')}, "
+            f"got {shown(list(sequence))}"
         )
 
 

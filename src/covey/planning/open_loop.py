@@ -78,6 +78,8 @@ class Plan(Value):
 
     Attributes
     ----------
+    team, disk : Team, PursuerDisk
+        The state of the game that was planned for.
     turns : numpy.ndarray
         (N,) signed turns δ in [-π, π], radians: turn by δ at full rate, then fly straight.
     goal_headings : numpy.ndarray
@@ -112,6 +114,8 @@ class Plan(Value):
     a local maximum, the best of all starts
     """
 
+    team: Team
+    disk: PursuerDisk
     turns: Floats
     goal_headings: Floats
     survival_time: float
@@ -219,7 +223,6 @@ def plan(
     number("tolerance", tolerance, low=0.0, strictly=True)
     if time_limit is not None:
         number("time_limit", time_limit, low=0.0)
-    team, disk = about_center(team, disk)
     n = len(team)
     starts = (
         default_starts(n)
@@ -228,7 +231,8 @@ def plan(
     )
     deadline = math.inf if time_limit is None else time.perf_counter() + time_limit
     objective = checked_objective(objective)
-    problem = Problem(team.as_rows(), pursuit_of(disk), compiled_objective(objective, n))
+    centered, about = about_center(team, disk)
+    problem = Problem(centered.as_rows(), pursuit_of(about), compiled_objective(objective, n))
     warm = None if warm_start is None else _iterate_of(warm_start, team)
     guesses = starts - (warm is not None)
     search = Search(problem, tolerance, guess_uniforms(seed, guesses, n), deadline)
@@ -289,10 +293,12 @@ def _plan_of(
 ) -> Plan:
     turns = best.iterate.turns
     # What the search found is computed again from the turns alone.
-    survival_time = value = worst_sequence(team, disk, turns, total=False).time
+    survival_time = value = worst_sequence(*about_center(team, disk), turns, total=False).time
     if not isinstance(objective, LastCapture):
         value = value_of_plan(team, disk, turns, objective)
     return Plan(
+        team=team,
+        disk=disk,
         turns=read_only(turns),
         goal_headings=read_only(wrap_angle(team.headings + turns)),
         survival_time=survival_time,

@@ -25,9 +25,8 @@ def build(file: ScenarioFile, seed: int | None = None) -> Scenario:
     """Make the scenario; `seed` replaces the seed of the file."""
     chosen = file.game.seed if seed is None else seed
     disk = _disk(file.pursuer)
-    x, y = disk.center.tolist()
     return Scenario(
-        team=_team(file.team, (x, y), chosen),
+        team=_team(file, disk, chosen),
         disk=disk,
         evaders=file.team.strategy,
         pursuer=file.pursuer.strategy,
@@ -48,8 +47,9 @@ def _disk(section: PursuerSection) -> PursuerDisk:
     )
 
 
-def _team(section: TeamSection, center: Point, seed: int) -> Team:
-    evaders = list(section.evaders)
+def _team(file: ScenarioFile, disk: PursuerDisk, seed: int) -> Team:
+    section, (x, y) = file.team, disk.center.tolist()
+    center, evaders = (x, y), list(section.evaders)
     if section.random is not None:
         evaders = _random_evaders(section.random, center, seed)
     speeds = [section.speed if evader.speed is None else evader.speed for evader in evaders]
@@ -58,6 +58,7 @@ def _team(section: TeamSection, center: Point, seed: int) -> Team:
         [_heading(evader, section, center) for evader in evaders],
         speeds,
         [_turn_rate(*each, section) for each in zip(evaders, speeds, strict=True)],
+        unit=file.unit,
     )
 
 
@@ -69,7 +70,7 @@ def _turn_rate(evader: EvaderSection, speed: float, section: TeamSection) -> flo
 
 
 def _heading(evader: EvaderSection, section: TeamSection, center: Point) -> float:
-    heading = section.headings if evader.heading is None else evader.heading
+    heading = section.heading if evader.heading is None else evader.heading
     if heading == AWAY:
         x, y = evader.position
         return math.atan2(y - center[1], x - center[0])

@@ -13,6 +13,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
 from covey.model import InputError
+from covey.model.units import counted
 from covey.scenarios import values
 from covey.scenarios.strategies import Named
 from covey.scenarios.values import Section
@@ -44,11 +45,12 @@ def path_text(path: KeyPath) -> str:
 def require_none(mistakes: Sequence[Mistake], path: Path) -> None:
     """Raise InputError with the first mistakes of a file, one a line, if there are any."""
     if mistakes:
-        count = "1 mistake" if len(mistakes) == 1 else f"{len(mistakes)} mistakes"
         told = [str(mistake) for mistake in mistakes[:_MOST_TOLD]]
         rest = len(mistakes) - len(told)
         more = [f"and {rest} more"] if rest else []
-        raise InputError("\n  ".join([f"{path}: {count}", *told, *more]))
+        raise InputError(
+            "\n  ".join([f"{path}: {counted(len(mistakes), 'mistake')}", *told, *more])
+        )
 
 
 def wanted_but_got(wanted: str, value: object) -> str:

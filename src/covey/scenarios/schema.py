@@ -1,7 +1,8 @@
 """What a scenario file may contain: its tables, keys, types of value and defaults.
 
     [pursuer]   center and radius, or last_seen; speed, capture_radius, strategy
-    [team]      speed, turn_rate or turn_radius, headings: defaults of all evaders; strategy;
+    unit        of lengths; times are in seconds then
+    [team]      speed, turn_rate or turn_radius, heading: defaults of all evaders; strategy;
                 then one of [[team.evaders]] and [team.random]
     [game]      objective, sensing, update_time, seed, time_limit
 
@@ -12,7 +13,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from pydantic import Field
+from pydantic import AliasChoices, Field
 
 from covey.model.team import DEFAULT_TURN_RATE
 from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Named
@@ -26,6 +27,7 @@ from covey.scenarios.values import (
     Radius,
     Rate,
     Section,
+    UnitName,
     Whole,
     one_of,
 )
@@ -75,7 +77,7 @@ class TeamSection(Section):
     speed: NotNegative = 0.25
     turn_rate: Rate = DEFAULT_TURN_RATE
     turn_radius: Radius | None = None
-    headings: Heading = AWAY
+    heading: Heading = Field(default=AWAY, validation_alias=AliasChoices("heading", "headings"))
     strategy: Annotated[Any, Named(EVADERS)] = Field(
         default="iterative-open-loop", validate_default=True
     )
@@ -96,8 +98,9 @@ class GameSection(Section):
 
 
 class ScenarioFile(Section):
-    """The whole file."""
+    """The whole file. Where `unit` names the unit of lengths, times are in seconds."""
 
+    unit: UnitName = ""
     pursuer: PursuerSection = Field(default_factory=PursuerSection)
     team: TeamSection = Field(default_factory=TeamSection)
     game: GameSection = Field(default_factory=GameSection)

@@ -9,7 +9,7 @@ import math
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal, TypeVar
+from typing import Annotated, Any, Literal, Self, TypeVar
 
 from pydantic import (
     AfterValidator,
@@ -24,7 +24,7 @@ from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, cor
 
 from covey.kernels.minimum.last_capture import MOST_EVADERS
 from covey.model import InputError
-from covey.model.validation import LARGEST
+from covey.model.validation import LARGEST, is_unit_name
 
 WANTED = "wanted"
 """Type of the error of a value; its context gives `words`, what was wanted."""
@@ -153,15 +153,46 @@ _OF_PI = re.compile(rf"\s*({_NUMBER}|[+-]?)\s*\*?\s*(?:pi|π)\s*(?:/\s*({_NUMBER
 _LONGEST_ANGLE = 60
 
 
+class Angle(float):
+    """Radians that were given as a text, which is shown again in their place."""
+
+    def __new__(cls, radians: float, text: str) -> Self:
+        """Make a number that keeps its text."""
+        angle = super().__new__(cls, radians)
+        angle.text = text
+        return angle
+
+    text: str
+
+    def __reduce__(self) -> tuple[type[Angle], tuple[float, str]]:
+        """Return what a copy is made of, in another process too."""
+        return Angle, (float(self), self.text)
+
+    def __str__(self) -> str:
+        """Return the text."""
+        return self.text
+
+    def __repr__(self) -> str:
+        """Return the text as Python writes it, from which the same angle is read."""
+        return repr(self.text)
+
+
 def as_angle(value: object) -> float | None:
     """Return radians for a number, "90 deg", "pi", "-pi/2" or "3 pi / 4"; None for all else."""
+    if isinstance(value, Angle):
+        return value
     if not isinstance(value, str):
         return as_number(value)
-    if len(value) > _LONGEST_ANGLE:  # a search for digits in it might take for ever
+    radians = _radians(value)
+    return None if radians is None else Angle(radians, value)
+
+
+def _radians(text: str) -> float | None:
+    if len(text) > _LONGEST_ANGLE:  # a search for digits in it might take for ever
         return None
-    if degrees := _DEGREES.fullmatch(value):
+    if degrees := _DEGREES.fullmatch(text):
         return math.radians(float(degrees[1]))
-    if share := _OF_PI.fullmatch(value):
+    if share := _OF_PI.fullmatch(text):
         factor = float(share[1] + "1" if share[1] in {"", "+", "-"} else share[1])
         divisor = float(share[2] or 1)
         return factor * math.pi / divisor if divisor else None
@@ -267,6 +298,12 @@ Flag = Annotated[
 FileName = Annotated[
     str,
     ValueType("the name of a file", lambda value: value if isinstance(value, str) else None),
+]
+UnitName = Annotated[
+    str,
+    ValueType(
+        'a short word such as "m"', lambda value: value if value and is_unit_name(value) else None
+    ),
 ]
 Point = Annotated[tuple[float, float], ValueType("a point [x, y] of two numbers", as_point)]
 Offset = Annotated[

@@ -8,7 +8,8 @@ from enum import StrEnum
 from typing import Any, NamedTuple
 
 from covey.model import PursuerDisk, Team
-from covey.model.display import html_table, one_line
+from covey.model.display import brief, html_table, one_line
+from covey.model.units import counted, titled, with_unit
 from covey.model.validation import Floats, Ints
 from covey.model.value import Value
 
@@ -155,14 +156,15 @@ class Game(Value):
 
     def __repr__(self) -> str:
         """Return who played, what was guaranteed, and what came of it, in one line."""
+        time = self.team.units.time
         sides = {side: str(strategy["name"]) for side, strategy in self.strategies.items()}
         return one_line(
             "Game",
-            f"{len(self.team)} evaders",
+            counted(len(self.team), "evader"),
             **sides,
             sensing=self.sensing,
-            guarantee=self.guarantee,
-            survival_time=self.survival_time,
+            guarantee=with_unit(brief(self.guarantee), time),
+            survival_time=with_unit(brief(self.survival_time), time),
             status=self.status,
         )
 
@@ -170,7 +172,7 @@ class Game(Value):
         columns = {
             "capture": range(1, len(self.capture_times) + 1),
             "evader": self.capture_sequence.tolist(),
-            "time": self.capture_times.tolist(),
+            titled("time", self.team.units.time): self.capture_times.tolist(),
         }
         return html_table(repr(self), columns)
 

@@ -43,4 +43,4 @@ def worst_case(
     if json:
         print_json(worst_case_as_json(found))
     else:
-        print_worst_case(found)
+        print_worst_case(scenario, found)

@@ -5,30 +5,38 @@ from __future__ import annotations
 from typing import Any
 
 import covey
-from covey.cli.show.tables import angle, new_console, new_facts, new_table, number, points
+from covey.cli.show.tables import (
+    angle,
+    new_console,
+    new_facts,
+    new_plan_table,
+    new_table,
+    number,
+    points,
+)
+from covey.model.units import counted, titled
 
 
 def print_tree(
     scenario: covey.Scenario, tree: covey.ContingentPlan, bracket: covey.Bracket
 ) -> None:
     """Print what a contingent plan guarantees, the turns now, and those after each capture."""
-    console, open_loop = new_console(), bracket.plan.survival_time
+    console, open_loop, units = new_console(), bracket.plan.survival_time, scenario.team.units
     gain = 100.0 * (tree.survival_time / open_loop - 1.0)
-    critical = tree.critical_sequences
+    critical, with_delays = tree.critical_sequences, tree.with_delays.survival_time
+    cost = f"{counted(tree.starts, 'ascent')}, {counted(tree.steps, 'step')}"
+    leaving = f"{counted(len(tree.evaders) - 1, 'capture')} after which somebody lives"
     facts = [
-        ("guaranteed survival time", number(tree.survival_time)),
-        ("if captures are put off", f"{number(tree.with_delays.survival_time)} at least"),
-        ("without answers", f"{number(open_loop)}; the answers gain {gain:.3g} %"),
-        ("no team could be sure of", f"more than {number(bracket.upper)}"),
-        (
-            "answers",
-            f"the first {tree.depth} of {len(tree.evaders) - 1} captures that leave anybody",
-        ),
+        ("guaranteed survival time", number(tree.survival_time, units.time)),
+        ("if captures are put off", f"{number(with_delays, units.time)} at least"),
+        ("without answers", f"{number(open_loop, units.time)}; the answers gain {gain:.3g} %"),
+        ("no team could be sure of", f"more than {number(bracket.upper, units.time)}"),
+        ("answers", f"the first {tree.depth} of {leaving}"),
         ("worst sequence", " ".join(map(str, critical[0]))),
-        ("search", f"{tree.status} ({tree.starts} ascents, {tree.steps} steps)"),
+        ("search", f"{tree.status} ({cost})"),
     ]
     console.print(new_facts(facts))
-    table = new_table("evader", "position", "turn (rad)", "(°)", "goal heading (rad)", "(°)")
+    table = new_plan_table(units)
     for i, position in enumerate(points(scenario.team.positions.tolist())):
         turn, goal = float(tree.turns[i]), float(tree.goal_headings[i])
         table.add_row(str(i), position, *angle(turn), *angle(goal))
@@ -40,7 +48,9 @@ def print_tree(
 
 def _answers(tree: covey.ContingentPlan) -> Any:
     """Return the table of goal headings after each first capture, a row a capture."""
-    table = new_table("captured", *(str(i) for i in tree.evaders), "then survives")
+    table = new_table(
+        "captured", *(str(i) for i in tree.evaders), titled("then survives", tree.team.units.time)
+    )
     for i in tree.evaders:
         after = tree.after(i)
         headings = dict(zip(after.evaders, after.goal_headings.tolist(), strict=True))
@@ -65,6 +75,7 @@ def tree_as_json(
         "starts": tree.starts,
         "steps": tree.steps,
         "seed": scenario.seed,
+        "unit": scenario.team.unit,
         **_node(tree),
     }
 

@@ -30,6 +30,7 @@ def plan_as_json(
         "steps": plan.steps,
         "interceptions": plan.interceptions,
         "seed": scenario.seed,
+        "unit": scenario.team.unit,
     }
 
 
@@ -46,6 +47,7 @@ def game_as_json(game: covey.Game) -> dict[str, Any]:
         "sensing": game.sensing,
         "update_time": game.update_time,
         "seed": game.seed,
+        "unit": game.team.unit,
         "strategies": {side: dict(strategy) for side, strategy in game.strategies.items()},
     }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 from rich.box import SIMPLE_HEAD
@@ -21,6 +22,7 @@ from covey.cli.shared.exit_status import MissingGamesError
 from covey.cli.shared.outputs import print_saved
 from covey.cli.show.comparison import print_comparison
 from covey.kernels.library.load import load_library
+from covey.model.units import counted
 
 _HEADINGS = {"team_size": "team"}
 
@@ -92,18 +94,18 @@ def _print_cases(console: Console, result: studies.StudyResult) -> None:
     ):
         table.add_column(heading, justify="right", no_wrap=True)
     for line in lines:
-        table.add_row(*_row(line), *([str(line.stopped)] if stopped else []))
+        settings_text = (result.text_of(*setting) for setting in line.settings.items())
+        table.add_row(*settings_text, *_row(line), *([str(line.stopped)] if stopped else []))
     console.print(table)
     console.print(
-        f"Means over {lines[0].starts} starts, ± 95 % confidence. Relative: mean over the mean of "
-        "the first line of the same team, from the same starts."
+        f"Means over {counted(lines[0].starts, 'start')}, ± 95 % confidence. Relative: mean over "
+        "the mean of the first line of the same team, from the same starts."
         + (" Value: what came of the objective." if valued else "")
     )
 
 
 def _row(line: studies.CaseSummary) -> list[str]:
     return [
-        *(f"{v:.4g}" if isinstance(v, float) else str(v) for v in line.settings.values()),
         f"{line.guarantee:.4f}",
         _estimate(line.survival),
         _estimate(line.relative) if line.relative.error > 0.0 else f"{line.relative.value:.4f}",
@@ -112,5 +114,7 @@ def _row(line: studies.CaseSummary) -> list[str]:
 
 
 def _estimate(value: studies.Estimate) -> str:
-    """Write a number with its uncertainty."""
+    """Write a number with its uncertainty, which a single start doesn't tell."""
+    if math.isnan(value.error):
+        return f"{value.value:.4f}"
     return f"{value.value:.4f} ± {value.error:.4f}"

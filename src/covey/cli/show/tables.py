@@ -11,26 +11,28 @@ from rich.console import Console
 from rich.table import Table
 
 import covey
+from covey.model.units import Units, counted, titled, with_unit
 
 _MOST_SEQUENCES = 6
 
 
 def print_plan(scenario: covey.Scenario, plan: covey.Plan, bracket: covey.Bracket | None) -> None:
     """Print a plan's value, the bound on any team's value if it is known, and all headings."""
-    console = new_console()
+    console, units = new_console(), scenario.team.units
     if bracket is not None:
         console.print(
-            f"survives at least {number(bracket.lower)}; "
-            f"no team could be sure of more than {number(bracket.upper)}"
+            f"survives at least {number(bracket.lower, units.time)}; "
+            f"no team could be sure of more than {number(bracket.upper, units.time)}"
         )
+    cost = f"{counted(plan.starts, 'start')}, {counted(plan.steps, 'step')}"
     facts = [
-        *_objective(plan.objective.describe(), number(plan.value), ""),
-        ("guaranteed survival time", number(plan.survival_time)),
+        *_objective(plan.objective.describe(), number(plan.value, units.time), ""),
+        ("guaranteed survival time", number(plan.survival_time, units.time)),
         *_sequences(plan),
-        ("search", f"{plan.status} ({plan.starts} starts, {plan.steps} steps)"),
+        ("search", f"{plan.status} ({cost})"),
     ]
     console.print(new_facts(facts))
-    table = new_table("evader", "position", "turn (rad)", "(°)", "goal heading (rad)", "(°)")
+    table = new_plan_table(units)
     for i, position in enumerate(points(scenario.team.positions.tolist())):
         table.add_row(
             str(i),
@@ -48,20 +50,20 @@ def print_game(game: covey.Game) -> None:
     console.print(_capture_table(game))
 
 
-def print_worst_case(worst: covey.WorstCase) -> None:
+def print_worst_case(scenario: covey.Scenario, worst: covey.WorstCase) -> None:
     """Print the least survival time, over which pursuers it was taken, and its captures."""
-    console = new_console()
+    console, time_unit = new_console(), scenario.team.units.time
     quantity = "survival time" if worst.value == worst.survival_time else "sum of survival times"
     console.print(
         new_facts(
             [
-                (f"least {quantity}", number(worst.value)),
+                (f"least {quantity}", number(worst.value, time_unit)),
                 ("over", str(worst.scope)),
-                ("played", f"{worst.flights} flights from one capture to the next"),
+                ("played", f"{counted(worst.flights, 'flight')} from one capture to the next"),
             ]
         )
     )
-    table = new_table("capture", "evader", "time", "waited")
+    table = new_table("capture", "evader", *(titled(t, time_unit) for t in ("time", "waited")))
     rows = zip(worst.sequence, aligned(worst.capture_times, 6), worst.delays, strict=True)
     for k, (evader, time, delay) in enumerate(rows, start=1):
         table.add_row(str(k), str(evader), time, number(delay))
@@ -70,16 +72,19 @@ def print_worst_case(worst: covey.WorstCase) -> None:
 
 def _outcome(game: covey.Game) -> list[tuple[str, str]]:
     """Return the facts of a game, by their names."""
-    survived, guaranteed = number(game.survival_time), game.objective["name"] == "last-capture"
+    time_unit, guaranteed = game.team.units.time, game.objective["name"] == "last-capture"
+    survived = number(game.survival_time, time_unit)
     if math.isinf(game.survival_time):
-        survived = f"more than {number(float(game.times[-1]))}: {game.status}"
+        survived = f"more than {number(float(game.times[-1]), time_unit)}: {game.status}"
     elif game.guarantee > 0.0 and guaranteed:
         survived += f"  ({game.survival_time / game.guarantee:.3g} times the guarantee)"
     return [
         ("pursuer", f"{game.sensing}, {_strategy(game, 'pursuer')}"),
         ("evaders", f"{len(game.team)}, {_strategy(game, 'evaders')}"),
-        *_objective(game.objective, number(game.planned_value), number(game.value)),
-        *([("guaranteed survival time", number(game.guarantee))] if guaranteed else []),
+        *_objective(
+            game.objective, number(game.planned_value, time_unit), number(game.value, time_unit)
+        ),
+        *([("guaranteed survival time", number(game.guarantee, time_unit))] if guaranteed else []),
         ("survival time", survived),
     ]
 
@@ -96,7 +101,10 @@ def _objective(objective: Mapping[str, Any], planned: str, value: str) -> list[t
 
 def _capture_table(game: covey.Game) -> Table:
     """Return the captures in their order: who, when, where."""
-    table = new_table("capture", "evader", "time", "place")
+    units = game.team.units
+    table = new_table(
+        "capture", "evader", titled("time", units.time), titled("place", units.length)
+    )
     order = game.capture_sequence.tolist()
     times = aligned(game.capture_times.tolist(), 6)
     # A captured evader stays where it was captured.
@@ -106,9 +114,9 @@ def _capture_table(game: covey.Game) -> Table:
     return table
 
 
-def number(value: float) -> str:
-    """Write a number as a person reads it; `--json` has all digits."""
-    return f"{value:.6g}"
+def number(value: float, unit: str = "") -> str:
+    """Write a number as a person reads it, with its unit; `--json` has all digits."""
+    return with_unit(f"{value:.6g}", unit)
 
 
 def angle(radians: float) -> tuple[str, str]:
@@ -162,6 +170,12 @@ def new_table(*columns: str) -> Table:
     for column in columns:
         table.add_column(column, justify="right", no_wrap=True)
     return table
+
+
+def new_plan_table(units: Units) -> Table:
+    """Return an empty table of evaders, with where each one is and how it turns."""
+    position = titled("position", units.length)
+    return new_table("evader", position, "turn (rad)", "(°)", "goal heading (rad)", "(°)")
 
 
 def new_console() -> Console:

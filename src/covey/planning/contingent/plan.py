@@ -42,6 +42,7 @@ class Node(NamedTuple):
     turns: Floats  # of the node's subtree, flat
     depth: int
     origin: Floats  # (2,)
+    unit: str  # of lengths
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,7 +122,7 @@ class ContingentPlan(Value):
         """The evaders, where this plan begins."""
         x, y, headings, speeds, turn_rates = self.node.moment.evaders.T
         positions = np.column_stack([x, y]) + self.node.origin
-        return Team(positions, headings, speeds, turn_rates)
+        return Team(positions, headings, speeds, turn_rates, unit=self.node.unit)
 
     @property
     def disk(self) -> PursuerDisk:
@@ -143,7 +144,7 @@ class ContingentPlan(Value):
         >>> tree.with_delays.survival_time <= tree.survival_time
         True
         """
-        moment, turns, depth, _ = self.node
+        moment, turns, depth, *_ = self.node
         tree = Tree(turns, depth, tree_sizes(len(self.turns), depth))
         return with_delays(moment, tree, self.survival_time)
 
@@ -166,7 +167,7 @@ class ContingentPlan(Value):
             raise InputError(
                 f"i: expected an evader after whose capture others live, {others}, got {i}"
             )
-        moment, turns, depth, origin = self.node
+        moment, turns, depth, *_ = self.node
         rank, n = self.evaders.index(i), len(self.evaders)
         now = turns[:n]
         time = float(moment.earliest(now)[rank])
@@ -174,7 +175,7 @@ class ContingentPlan(Value):
         evaders = tuple(j for j in self.evaders if j != i)
         if depth > 0:
             left = answer_to(turns, n, rank)
-        node = Node(after, left, max(depth - 1, 0), origin)
+        node = self.node._replace(moment=after, turns=left, depth=max(depth - 1, 0))
         return _plan_of(node, evaders, self.status, (0, 0), [])
 
 
@@ -229,10 +230,11 @@ def plan_contingent(
     moment = Moment(own.as_rows(), pursuit_of(about))
     first = plan(team, disk, seed=seed)
     if depth == 0:
-        node, cost = Node(moment, first.turns, 0, disk.center), (first.starts, first.steps)
+        node = Node(moment, first.turns, 0, disk.center, team.unit)
+        cost = (first.starts, first.steps)
         return _plan_of(node, evaders, first.status, cost, list(first.critical_sequences))
     found = deeper_and_deeper(moment, depth, first.turns, seed)
-    node = Node(moment, found.turns, depth, disk.center)
+    node = Node(moment, found.turns, depth, disk.center, team.unit)
     cost = (first.starts + found.starts, first.steps + found.steps)
     critical = _sequences(found.branches, n)
     return _plan_of(node, evaders, PLAN_STATUS[found.status], cost, critical)
@@ -260,7 +262,7 @@ def _plan_of(
     candidates: list[tuple[int, ...]],
 ) -> ContingentPlan:
     """Return the plan of a node; what it guarantees follows from its turns alone."""
-    moment, turns, depth, _ = node
+    moment, turns, depth, *_ = node
     n = len(evaders)
     problem, tree = problem_of(moment), Tree(turns, depth, tree_sizes(n, depth))
     worst = np.zeros(n, np.int64)

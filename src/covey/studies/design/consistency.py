@@ -8,6 +8,7 @@ from typing import Any
 
 from covey.model import InputError
 from covey.model.objectives import distribution_of
+from covey.model.units import counted
 from covey.model.validation import is_slower
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.players import FixedSequence, KnownSequence, RandomSequence
@@ -34,7 +35,7 @@ def _sequences(values: Mapping[str, Any]) -> Iterator[Mistake]:
             known = isinstance(strategy, FixedSequence | KnownSequence)
             if known and strategy.sequence is not None and len(strategy.sequence) != size:
                 text = (
-                    f"expected a sequence of all {size} evaders of a team, got "
+                    f"expected a sequence of all {counted(size, 'evader')} of a team, got "
                     f"{list(strategy.sequence)}; a study of several team sizes has no common one"
                 )
                 yield Mistake(("grid", side, index, "sequence"), text)

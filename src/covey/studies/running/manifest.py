@@ -11,6 +11,7 @@ from typing import Any
 from covey.kernels.minimum.last_capture import MOST_EVADERS
 from covey.model import InputError, LastCapture
 from covey.model.validation import choice, shown, whole_number
+from covey.scenarios.values import Angle
 from covey.simulation.files import whole_file
 from covey.simulation.settings import SENSING
 from covey.studies.design.case import GRID
@@ -30,6 +31,7 @@ def manifest_of(study: Study) -> dict[str, Any]:
     manifest = {
         "format": FORMAT,
         "study": study.describe(),
+        "typed": _typed(study),
         "seed": study.seed,
         "games": study.games,
         "cases": len(study.cases),
@@ -40,6 +42,16 @@ def manifest_of(study: Study) -> dict[str, Any]:
     # As a reader will get it: JSON turns tuples into lists.
     read: dict[str, Any] = json.loads(json.dumps(manifest))
     return read
+
+
+def _typed(study: Study) -> dict[str, list[str]]:
+    """Return the values of those fields of the grid of which some were given as angles in words."""
+    grid = {name: getattr(study, name) or () for name in GRID}
+    return {
+        name: [str(value) for value in values]
+        for name, values in grid.items()
+        if any(isinstance(value, Angle) for value in values)
+    }
 
 
 def write_manifest(folder: Path, manifest: Mapping[str, Any]) -> None:
@@ -69,6 +81,7 @@ def read_manifest(folder: Path) -> dict[str, Any] | None:
         _complete(manifest)
         _require_counts(manifest)
         _require_grid(manifest["study"]["grid"])
+        _require_typed(manifest["study"]["grid"], manifest["typed"])
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
         raise InputError(f"{path}: the manifest of the study is damaged: {error}") from error
     return manifest
@@ -82,11 +95,12 @@ def extent_of(manifest: Mapping[str, Any], number: int) -> Extent:
     return Extent(number * step, min((number + 1) * step, games), cases, size)
 
 
-def _complete(manifest: Mapping[str, Any]) -> None:
+def _complete(manifest: dict[str, Any]) -> None:
     """Add what early versions of covey did not write down: they knew one objective, no radii."""
     grid = manifest["study"]["grid"]
     grid.setdefault("objective", [LastCapture().describe()])
     grid.setdefault("turn_radius", [None])
+    manifest.setdefault("typed", {})
 
 
 def _require_counts(manifest: Mapping[str, Any]) -> None:
@@ -107,6 +121,13 @@ def _require_grid(grid: Mapping[str, Any]) -> None:
     for name in GRID:
         for value in grid[name]:
             _require_value(name, value)
+
+
+def _require_typed(grid: Mapping[str, Any], typed: Mapping[str, Any]) -> None:
+    """Raise any error unless there is a text for each value of a field."""
+    for name, texts in typed.items():
+        if len(texts) != len(grid[name]) or not all(isinstance(text, str) for text in texts):
+            raise ValueError(f"typed.{name}: expected a text for each value, got {shown(texts)}")
 
 
 def _require_value(name: str, value: Any) -> None:
@@ -138,7 +159,11 @@ def _differences(before: Mapping[str, Any], now: Mapping[str, Any], part: str) -
     old, new = dict(flattened(before[part])), dict(flattened(now[part]))
     for key in sorted({*old, *new}):
         if old.get(key) != new.get(key):
-            yield f"{key}: is {_text(old.get(key))} there, and {_text(new.get(key))} now"
+            there, here = (
+                _text(manifest["typed"].get(key.removeprefix("grid."), values.get(key)))
+                for manifest, values in ((before, old), (now, new))
+            )
+            yield f"{key}: is {there} there, and {here} now"
 
 
 def _text(value: object) -> str:

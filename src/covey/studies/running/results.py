@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from covey.model import InputError
+from covey.model.units import counted
 from covey.studies.design.case import GRID
 from covey.studies.running.manifest import NAME, extent_of, read_manifest
 from covey.studies.running.parts import DamagedPartError, read_part
@@ -43,7 +44,7 @@ class StudyResult:
 
     def __repr__(self) -> str:
         """Return the folder, and how many games the study has, in one line."""
-        return f"StudyResult({str(self.folder)!r}, {self.manifest['games']} games)"
+        return f"StudyResult({str(self.folder)!r}, {counted(self.manifest['games'], 'game')})"
 
     @property
     def study(self) -> dict[str, Any]:
@@ -56,6 +57,13 @@ class StudyResult:
         """The combinations of the grid by their numbers, the last field fastest."""
         values = (self.study["grid"][name] for name in GRID)
         return [dict(zip(GRID, combination, strict=True)) for combination in product(*values)]
+
+    def text_of(self, name: str, value: Any) -> str:
+        """Return a value of a field of the grid as it was typed: "pi/2", not 1.571."""
+        typed = self.manifest["typed"].get(name)
+        if typed is not None:
+            return str(typed[self.study["grid"][name].index(value)])
+        return f"{value:.4g}" if isinstance(value, float) else str(value)
 
     def case_number(self, **fields: Any) -> int:
         """Return the number of the only case with these fields.

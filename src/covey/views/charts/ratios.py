@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 
 from covey.model import InputError
+from covey.model.units import counted
 from covey.model.validation import Floats
 from covey.views.kit import style
 from covey.views.kit.layout import add_axes, new_figure
@@ -65,7 +66,9 @@ def draw_ratios(
         if size in others:
             _draw_line(axes, others[size], edges, len(values))
         letter = panels[row : row + 1]
-        axes.set_title(f"({letter})  $N = {size}$, {len(values)} starts", loc="left", pad=3)
+        axes.set_title(
+            f"({letter})  $N = {size}$, {counted(len(values), 'start')}", loc="left", pad=3
+        )
         if row < count - 1:
             axes.tick_params(labelbottom=False)
     axes.set_xlabel("survival time, hidden / visible", labelpad=2)
@@ -119,7 +122,7 @@ def _draw_line(axes: Axes, values: Floats, edges: Floats, starts: int) -> None:
     top = max(float(heights.max()), axes.get_ylim()[1] / 1.08)
     axes.set_ylim(0.0, 1.08 * top)
     axes.set_title(
-        f"line: assured, {len(values)} starts",
+        f"line: assured, {counted(len(values), 'start')}",
         loc="right",
         pad=3,
         color=style.PURSUER,
