@@ -29,6 +29,7 @@ extensions = [
     "sphinx_gallery.gen_gallery",
     "keys",
     "mathml",
+    "messages",
     "shell",
 ]
 exclude_patterns = ["_ext", "_templates", "gallery", "generated/gallery/*.ipynb"]
