@@ -50,10 +50,12 @@ def messages() -> Iterator[tuple[str, str]]:
 
 
 def _text(node: ast.expr) -> str:
-    """Return the text of an expression, with … for what is known only when it is told."""
+    """Return the text of an expression, with <name> or … for what is known when it is told."""
     match node:
         case ast.Constant(value=str(text)):
             return text
+        case ast.FormattedValue(value=ast.Name(id=name)):
+            return f"<{name}>"
         case ast.JoinedStr(values=parts):
             return "".join(map(_text, parts))
         case ast.BinOp(left=left, op=ast.Add(), right=right):
