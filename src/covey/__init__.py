@@ -25,8 +25,8 @@ def __getattr__(name: str) -> object:
         from importlib.metadata import version  # takes longer than everything else here
 
         return version("covey")
-    if name == "envs":  # the only room that is used as `covey.envs`; it needs covey[env]
-        return import_module("covey.envs")
+    if name in ("envs", "testing", "views"):  # rooms with public names of their own
+        return import_module(f"covey.{name}")
     if name == "PatientPursuer":  # for one release
         note = "covey.PatientPursuer is now called covey.UncommittedPursuer"
         warnings.warn(note, DeprecationWarning, stacklevel=2)

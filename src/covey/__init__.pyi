@@ -56,5 +56,7 @@ from .simulation import save_game as save_game
 from .studies import Study as Study
 from .studies import load_study as load_study
 from .studies import run_study as run_study
+from .views import animate as animate
+from .views import draw as draw
 
 __version__: str

@@ -197,7 +197,8 @@ def test_a_file_comes_before_an_example_of_its_name(scenario, tmp_path, capsys):
         ["game.parquet", "-o", "picture.png"],
         ["game.parquet", "-o", "./picture.png", "--view", "game"],
         ["three.toml", "-o", "picture.PNG", "--view", "plan"],
-        ["three.toml", "-o", "picture.png", "--view", "tree"],
+        ["three.toml", "-o", "picture.png", "--view", "tree", "--size", "5"],
+        ["game.parquet", "-o", "picture.png", "--times", "0", "0.5", "--title", "Two moments"],
     ],
 )
 def test_draw_saves_a_picture(record, arguments, capsys):
@@ -207,8 +208,8 @@ def test_draw_saves_a_picture(record, arguments, capsys):
 
 
 def few_frames(monkeypatch, animate=views.animate):
-    def quick(game, path, progress):
-        return animate(game, path, seconds=0.2, progress=progress)
+    def quick(game, **look):
+        return animate(game, seconds=0.2, **look)
 
     monkeypatch.setattr(views, "animate", quick, raising=False)
 

@@ -11,8 +11,8 @@ import pytest
 import covey
 from covey.views import draw_capture, draw_control, draw_game, draw_plan
 from covey.views.kit import style
-from covey.views.kit.layout import Camera, single_map
-from covey.views.kit.point_labels import label
+from covey.views.kit.layout import Camera, Sheet, single_map
+from covey.views.kit.point_labels import label, number_and_time
 from covey.views.kit.time_format import time_format
 from views.drawn_artists import boxes, disks, labels, line, points
 from views.flown_games import FIRST_CAPTURE, SECOND_CAPTURE, game_by_hand, simulated, turning_evader
@@ -95,6 +95,8 @@ def test_a_plan_shows_its_captures_in_order(frame):
         frame.time * SECOND_CAPTURE,
     )
     plan = covey.Plan(
+        team,
+        disk,
         turns,
         turns,
         second,
@@ -102,9 +104,9 @@ def test_a_plan_shows_its_captures_in_order(frame):
         second,
         ((0, 1), (1, 0)),
         covey.PlanStatus.CONVERGED,
-        *([0] * (len(covey.Plan.__dataclass_fields__) - 7)),
+        *([0] * (len(covey.Plan.__dataclass_fields__) - 9)),
     )
-    (axes,) = draw_plan(team, disk, plan).axes
+    (axes,) = draw_plan(plan).axes
     captures, rounding = (
         frame.points([[0.8, 0.0], turning_evader(SECOND_CAPTURE)]),
         1e-12 * frame.length,
@@ -113,11 +115,13 @@ def test_a_plan_shows_its_captures_in_order(frame):
     assert points(axes, "evaders").tolist() == team.positions.tolist()
     write = time_format(second)
     assert [text.get_text() for text in labels(axes)] == [
-        f"1: {write(first)}",
-        f"2: {write(second)}",
+        *("0", "1"),
+        number_and_time(0, write(first)),
+        number_and_time(1, write(second)),
     ]
     positions = np.array([text.xy for text in labels(axes)])
-    assert positions == pytest.approx(captures, abs=rounding)
+    both = np.concatenate([team.positions, captures])
+    assert positions == pytest.approx(both, abs=rounding)
 
 
 def test_a_game_shows_its_captures_in_order():
@@ -126,7 +130,11 @@ def test_a_game_shows_its_captures_in_order():
     assert points(axes, "captured evaders") == pytest.approx(np.array(captures), abs=1e-12)
     assert points(axes, "dots").tolist() == [[0.6, 0.0], [0.0, 1.0]]
     assert points(axes, "flown by pursuer")[-1] == pytest.approx(captures[1])
-    assert [text.get_text()[:2] for text in labels(axes)] == ["1:", "2:"]
+    assert [text.get_text() for text in labels(axes)] == [
+        *("0", "1"),
+        number_and_time(0, f"{FIRST_CAPTURE:.2f}"),
+        number_and_time(1, f"{SECOND_CAPTURE:.2f}"),
+    ]
     assert f"survived {SECOND_CAPTURE:.2f}" in axes.get_title(loc="left")
 
 
@@ -142,7 +150,7 @@ def test_who_lives_when_a_game_is_stopped_is_shown_alive():
 def test_labels_overlap_neither_each_other_nor_the_edge(seed):
     (axes,) = draw_game(simulated(seed=seed)).axes
     filled = boxes(axes)
-    assert len(filled) == 4
+    assert len(filled) == 4 + 4
     for one, other in itertools.combinations(filled, 2):
         assert not one.overlaps(other)
     page = axes.get_window_extent()
@@ -154,7 +162,7 @@ def test_labels_overlap_neither_each_other_nor_the_edge(seed):
 
 
 def test_labels_of_one_place_lie_side_by_side():
-    _, axes = single_map(Camera(0.0, 0.0, 1.0))
+    _, axes = single_map(Camera(0.0, 0.0, 1.0), Sheet(None, None, 3.5))
     corner = np.array([[0.95, 0.95]] * 4)
     label(axes, corner, ["1: 0.27", "2: 0.27", "3: 0.28", "4: 0.28"], corner)
     for one, other in itertools.combinations(boxes(axes), 2):

@@ -153,15 +153,13 @@ def test_its_table_is_printed_and_its_picture_drawn(folder, tmp_path, capsys):
     assert picture.read_bytes().startswith(b"\x89PNG")
 
 
-def test_other_studies_have_no_such_picture(tmp_path, capsys):
+def test_what_is_no_study_has_no_picture(tmp_path, capsys):
     run_study(Study(starts=2, update_time=0.2, team_size=2), tmp_path / "plain", workers=1)
     picture = str(tmp_path / "plain.png")
-    assert main(["draw", str(tmp_path / "plain"), "--output", picture]) == 2
-    assert "expected a study of several teams" in capsys.readouterr().err
     assert main(["draw", str(tmp_path), "--output", picture]) == 2
     assert "expected the results of a study" in capsys.readouterr().err
     assert main(["draw", str(tmp_path / "plain"), "--output", picture, "--view", "game"]) == 2
-    assert "--view, --record and --seed are for games" in capsys.readouterr().err
+    assert "--view, --record, --times and --seed are for games" in capsys.readouterr().err
 
 
 def test_the_picture_shows_every_ratio_once():

@@ -10,7 +10,8 @@ import pytest
 import covey
 from covey.views import draw_snapshots
 from covey.views.games.snapshot import snapshot_at
-from views.drawn_artists import bearing_of_marker, disks, line, points
+from covey.views.games.snapshots import times_around_first_capture
+from views.drawn_artists import bearing_of_marker, disks, labels, line, points
 from views.flown_games import FIRST_CAPTURE, SECOND_CAPTURE, game_by_hand, simulated, turning_evader
 
 
@@ -108,15 +109,38 @@ def test_one_camera_for_all_panels_and_a_true_scale():
             assert (y < top).all()
 
 
-def test_default_moments_are_around_the_first_capture():
+def test_default_moments_suit_the_length_of_the_game():
     titles = [axes.get_title(loc="left") for axes in draw_snapshots(game_by_hand()).axes]
-    later = FIRST_CAPTURE + 0.25 * (SECOND_CAPTURE - FIRST_CAPTURE)
+    end = SECOND_CAPTURE
     assert titles == [
-        "(a)  $t$ = 0.00",
-        "(b)  $t$ = 0.60",
-        "(c)  $t$ = 0.80",
-        f"(d)  $t$ = {later:.2f}",
+        f"({letter})  $t$ = {share * end:.2f}"
+        for letter, share in zip("abcd", (0.0, 0.2, 0.5, 1.0), strict=True)
     ]
+
+
+def test_the_moments_of_the_papers_figure_are_around_the_first_capture():
+    later = FIRST_CAPTURE + 0.25 * (SECOND_CAPTURE - FIRST_CAPTURE)
+    times = times_around_first_capture(game_by_hand())
+    assert times == pytest.approx([0.0, 0.6, 0.8, later])
+
+
+def test_every_evader_carries_its_number():
+    game = simulated()
+    for axes in draw_snapshots(game).axes:
+        assert [text.get_text() for text in labels(axes)] == ["0", "1", "2", "3"]
+        time = float(axes.get_title(loc="left").split("=")[1])
+        marked = np.array([text.xy for text in labels(axes)])
+        close = snapshot_at(game, min(time, game.survival_time)).team.positions
+        assert marked == pytest.approx(close, abs=0.01)  # the title's time has two decimals
+
+
+def test_outer_maps_name_their_axes_with_the_unit():
+    team = covey.Team([(3.0, 4.0), (-5.0, 0.0)], 0.0, unit="km")
+    game = covey.simulate(team, covey.PursuerDisk(), update_time=1.0)
+    panels = draw_snapshots(game).axes
+    assert [axes.get_ylabel() for axes in panels] == ["$y$ (km)", ""] * 2
+    assert [axes.get_xlabel() for axes in panels] == ["", "", *["$x$ (km)"] * 2]
+    assert all(axes.get_title(loc="left").endswith(" s") for axes in panels)
 
 
 def test_nothing_leaves_the_page():

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from cyclopts import Parameter
 
@@ -12,7 +13,6 @@ from covey import views
 from covey.cli.shared.arguments import Seed
 from covey.cli.shared.outputs import check_output, print_saved
 from covey.cli.shared.sources import read_scenario_or_game
-from covey.cli.show.comparison import draw_comparison
 from covey.cli.show.film import save_film
 
 View = Literal["snapshots", "game", "plan", "tree", "animation"]
@@ -24,8 +24,7 @@ def draw(
         Parameter(
             name="FILE",
             help="Record of a game, or a scenario, which is played first: its file, or the name "
-            "of one that comes with covey. Or the folder with the results of a study that compares "
-            "teams or objectives.",
+            "of one that comes with covey. Or the folder with the results of a study.",
         ),
     ],
     /,
@@ -41,7 +40,7 @@ def draw(
     view: Annotated[
         View | None,
         Parameter(
-            help="snapshots: four moments of the game. game: all paths and captures. plan: the "
+            help="snapshots: moments of the game. game: all paths and captures. plan: the "
             "first plan, and the captures that it must expect. tree: the plan that answers "
             "captures, and what it will be after each first capture. animation: a film. By "
             "default a film if the output is one, else snapshots."
@@ -51,29 +50,66 @@ def draw(
         Path | None,
         Parameter(help="Save the record of the game that was played here, before it is drawn."),
     ] = None,
+    title: Annotated[
+        str | None, Parameter(help="Above the picture; by default what it shows, or none.")
+    ] = None,
+    size: Annotated[
+        float | None,
+        Parameter(help="Width in inches; by default one or two columns of a paper, 3.5 or 7."),
+    ] = None,
+    times: Annotated[
+        list[float] | None,
+        Parameter(
+            consume_multiple=True,
+            help="Moments of the view snapshots, as in --times 0 1.5 4; by default the start, a "
+            "fifth and a half of the game, and its end.",
+        ),
+    ] = None,
     seed: Seed = None,
 ) -> None:
-    """Draw a game or a plan.
+    """Draw a game, a plan or a study.
 
     Try:
 
         covey draw game.parquet --output game.png
         covey draw fig3 --view plan --output plan.pdf
         covey draw fig3 --record game.parquet --output game.gif
+        covey draw fig3 --times 0 1 2 6 --title "Six units of time" --size 5 -o moments.pdf
         covey draw results/tournament --output tournament.png
     """
+    look = _look(title, size)
     if Path(file).is_dir():
-        if (view, record, seed) != (None, None, None):
+        if (view, record, times, seed) != (None, None, None, None):
             raise covey.InputError(
-                f"{file}: --view, --record and --seed are for games; it is a folder"
+                f"{file}: --view, --record, --times and --seed are for games; it is a folder"
             )
-        draw_comparison(Path(file), output)
+        _draw_study(Path(file), output, look)
         return
-    source, chosen = read_scenario_or_game(file, seed), _checked_view(view, output)
+    chosen = _checked_view(view, output)
+    if times is not None:
+        if chosen != "snapshots":
+            raise covey.InputError(f"--times: expected the view snapshots, got {chosen}")
+        look["times"] = times
+    source = read_scenario_or_game(file, seed)
     if chosen in ("plan", "tree"):
-        _draw_plan(source, chosen, output, record)
+        _draw_plan(source, chosen, output, record, look)
     else:
-        _draw_game(source, chosen, output, record)
+        _draw_game(source, chosen, output, record, look)
+
+
+def _look(title: str | None, size: float | None) -> dict[str, Any]:
+    """Return what was said of the picture, as functions that draw take it."""
+    from covey.model.validation import number  # only now, as it loads NumPy
+
+    look: dict[str, Any] = {} if title is None else {"title": title}
+    return look if size is None else look | {"width": number("--size", size, low=1.0, high=100.0)}
+
+
+def _draw_study(folder: Path, output: Path, look: Mapping[str, Any]) -> None:
+    from covey.views.kit.saving import STILLS  # only now, as it loads matplotlib
+
+    check_output(output, STILLS, "a picture")
+    print_saved(views.save(views.draw_study(covey.load_study(folder), **look), output))
 
 
 def _checked_view(view: View | None, output: Path) -> View:
@@ -93,7 +129,11 @@ def _checked_view(view: View | None, output: Path) -> View:
 
 
 def _draw_plan(
-    source: covey.Scenario | covey.Game, view: View, output: Path, record: Path | None
+    source: covey.Scenario | covey.Game,
+    view: View,
+    output: Path,
+    record: Path | None,
+    look: Mapping[str, Any],
 ) -> None:
     """Draw the first plan of a scenario, or the plan that answers captures."""
     if record is not None:
@@ -104,14 +144,18 @@ def _draw_plan(
             "with which plan it began"
         )
     if view == "tree":
-        figure = views.draw_contingent(source.plan_contingent())
+        figure = views.draw_contingent(source.plan_contingent(), **look)
     else:
-        figure = views.draw_plan(source.team, source.disk, source.plan())
+        figure = views.draw_plan(source.plan(), **look)
     print_saved(views.save(figure, output))
 
 
 def _draw_game(
-    source: covey.Scenario | covey.Game, view: View, output: Path, record: Path | None
+    source: covey.Scenario | covey.Game,
+    view: View,
+    output: Path,
+    record: Path | None,
+    look: Mapping[str, Any],
 ) -> None:
     """Draw a game; a scenario is played first, and the record saved before it is drawn."""
     if record is not None:
@@ -121,7 +165,7 @@ def _draw_game(
         covey.save_game(game, record)
         print_saved(record)
     if view == "animation":
-        save_film(game, output)
+        save_film(views.animate(game, **look), output)
     else:
-        figure = views.draw_game(game) if view == "game" else views.draw_snapshots(game)
-        print_saved(views.save(figure, output))
+        draw_view = views.draw_game if view == "game" else views.draw_snapshots
+        print_saved(views.save(draw_view(game, **look), output))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 from cyclopts import Parameter
 
@@ -71,11 +71,11 @@ def _reproduce_game(folder: Path) -> covey.Game:
     for name, figure in (
         ("fig1", views.draw_control()),
         ("fig2", views.draw_capture()),
-        ("fig3", views.draw_snapshots(game)),
+        ("fig3", views.draw_snapshots(game, views.times_around_first_capture(game))),
         ("fig3-game", views.draw_game(game)),
     ):
         save_picture(figure, folder, name)
-    save_film(game, folder / "fig3.gif")
+    save_film(views.animate(game), folder / "fig3.gif")
     return game
 
 
@@ -94,7 +94,7 @@ def _draw_ratios(folder: Path, fig4: studies.StudyResult, assured: studies.Study
 def _draw_gains(folder: Path, fig5: studies.StudyResult) -> None:
     """Draw Fig. 5, and write its numbers."""
     gains = studies.turn_rate_gains(fig5)
-    save_picture(_gains_figure(gains), folder, "fig5")
+    save_picture(views.draw_study(fig5), folder, "fig5")
     write_csv(
         folder / "fig5.csv",
         ("sensing", "team_size", "turn_rate", "ratio", "ratio_error", "mean", "mean_error"),
@@ -115,15 +115,3 @@ def _study(name: str, folder: Path, starts: int | None, workers: int | None) -> 
     print_study(result)
     require_all_games(result)
     return result
-
-
-def _gains_figure(gains: dict[str, studies.Gains]) -> Any:
-    panels = {
-        f"{word} pursuer": {
-            size: views.Curve([e.value for e in row], [e.error for e in row])
-            for size, row in each.ratios.items()
-        }
-        for word, each in gains.items()
-    }
-    rates = next(iter(gains.values())).turn_rates
-    return views.draw_gains(rates, panels)

@@ -1,16 +1,12 @@
-"""The scores of a study: a table on the screen for each group, and a picture."""
+"""The scores of a study: a table on the screen for each group."""
 
 from __future__ import annotations
-
-from pathlib import Path
 
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
 
-import covey
-from covey import studies, views
-from covey.cli.shared.outputs import check_output, print_saved
+from covey import studies
 
 _WIDEST = 36
 """Letters of a row's name in one line."""
@@ -49,26 +45,3 @@ def _cell(score: studies.PairedRatio) -> str:
     value, error = score.relative
     text = f"{value:.3f}" if error == 0.0 else f"{value:.3f} ±{error:.3f}".replace("±0", "±")
     return text + ("*" if score.starts < score.played else "")
-
-
-def draw_comparison(folder: Path, output: Path) -> None:
-    """Draw the scores of the study whose results are in a folder."""
-    from covey.views.kit.saving import STILLS  # only now, as it loads matplotlib
-
-    check_output(output, STILLS, "a picture")
-    compared = studies.comparison(covey.load_study(folder))
-    if compared is None:
-        raise covey.InputError(
-            f"{folder}: expected a study of several teams, or several objectives, in which beside "
-            "them only team sizes, pursuers and sensing vary; there is no picture of any other"
-        )
-    ratios = [
-        views.Ratio(each.group, each.column, each.row, each.team_size, *each.relative)
-        for each in compared.ratios
-        if each.team_size is not None and each.row != compared.base and each.starts > 1
-    ]
-    if not ratios:
-        raise covey.InputError(
-            f"{folder}: expected games from at least two starts that came to their end"
-        )
-    print_saved(views.save(views.draw_comparison(ratios, compared.label), output))

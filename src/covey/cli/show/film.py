@@ -7,18 +7,16 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import Progress
 
-import covey
 from covey import views
 from covey.cli.shared.outputs import print_saved
 
 
-def save_film(game: covey.Game, path: Path) -> None:
+def save_film(film: views.Film, path: Path) -> None:
     """Save a film, and say where."""
     console = Console(stderr=True)
     with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
         task = progress.add_task(f"drawing {path.name}", total=None)
-        views.animate(
-            game,
+        film.save(
             path,
             progress=lambda done, total: progress.update(task, completed=done, total=total),
         )

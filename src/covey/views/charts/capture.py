@@ -14,7 +14,7 @@ from covey.model.validation import Floats
 from covey.planning import capture_times
 from covey.views.charts.single_turn import SingleTurn, draw_arrow, single_turn
 from covey.views.kit import style
-from covey.views.kit.layout import camera_around, single_map
+from covey.views.kit.layout import Sheet, camera_around, single_map
 from covey.views.kit.markers import (
     CENTER,
     DOTS,
@@ -45,6 +45,9 @@ def draw_capture(
     turn: float | None = None,
     *,
     evader: int = 0,
+    ax: Axes | None = None,
+    title: str = "",
+    width: float = style.COLUMN_WIDTH,
 ) -> Figure:
     """Draw the minimum capture time of a path by a pursuer in a disk (eq. 7; Fig. 2 of the paper).
 
@@ -59,11 +62,16 @@ def draw_capture(
         The pursuer's disk. With a capture radius ρ, r + ρ replaces r.
     turn
         Signed turn δ, radians.
+    ax
+        Axes to draw on. Default: a new figure.
+    title
+        Default: none.
+    width
+        Of a new figure, inches. Default: one column of a paper, 3.5.
 
     Returns
     -------
     matplotlib.figure.Figure
-        One column of a paper wide.
 
     Raises
     ------
@@ -78,7 +86,7 @@ def draw_capture(
     line = motion.path(max(capture, motion.turn_end))
     corners = disk.center + _reach(disk, 0.0) * np.array([[-1.0, -1.0], [1.0, 1.0]])
     camera = camera_around(joined([line, corners]), margin=0.12)
-    figure, axes = single_map(camera, ticks=False)
+    figure, axes = single_map(camera, Sheet(ax, title, width), ticks=False)
     edges = _draw_disks(axes, disk, motion, capture)
     _draw_path(axes, motion, capture)
     marked = np.array([motion.at(t) for t in (0.0, motion.turn_end, capture)])

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from covey.views.kit import style
-from covey.views.kit.layout import panels_in_a_row
+from covey.views.kit.layout import panels_in_a_row, sheet_of, width_of_panels
 from covey.views.kit.style import styled
 
 _SIDE = 2.0
@@ -28,18 +28,30 @@ class Closeness(NamedTuple):
 
 
 @styled
-def draw_closeness(panels: Mapping[str, Mapping[str, Mapping[str, Closeness]]]) -> Figure:
+def draw_closeness(
+    panels: Mapping[str, Mapping[str, Mapping[str, Closeness]]],
+    *,
+    ax: Axes | None = None,
+    title: str | None = None,
+    width: float | None = None,
+) -> Figure:
     """Draw survival time over the value: a mark at the mean, a line down to the least.
 
     Parameters
     ----------
     panels
         For each panel, by its title, each strategy's closeness by the speeds.
+    ax
+        Axes in whose place the panels are drawn. Default: a new figure.
+    title
+        Above all panels. Default: none.
+    width
+        Of a new figure, inches. Default: two columns of a paper, 7, for two panels.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Panels side by side on one scale, two columns of a paper wide if there are two.
+        Panels side by side on one scale.
     """
     least = min(
         each.least
@@ -47,14 +59,15 @@ def draw_closeness(panels: Mapping[str, Mapping[str, Mapping[str, Closeness]]]) 
         for row in strategies.values()
         for each in row.values()
     )
-    figure, all_axes = panels_in_a_row(panels, _SIDE, _HEADROOM)
+    sheet = sheet_of(ax, title, width or width_of_panels(len(panels)))
+    page, all_axes = panels_in_a_row(list(panels), _SIDE, _HEADROOM, sheet)
     for axes, strategies in zip(all_axes, panels.values(), strict=True):
         _draw_panel(axes, strategies)
         axes.set_ylim(1.0 - 1.15 * (1.0 - least), 1.0 + 0.08 * (1.0 - least))
     first = all_axes[0]
     first.set_ylabel("survival time over the value")
-    figure.legend(*first.get_legend_handles_labels(), loc="upper center", ncols=4)
-    return figure
+    page.legend(*first.get_legend_handles_labels(), loc="upper center", ncols=4)
+    return page.figure
 
 
 def _draw_panel(axes: Axes, strategies: Mapping[str, Mapping[str, Closeness]]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from string import ascii_lowercase
 from textwrap import fill
@@ -13,7 +14,7 @@ from matplotlib.ticker import MaxNLocator
 
 from covey.model import InputError
 from covey.views.kit import style
-from covey.views.kit.layout import add_axes, new_figure
+from covey.views.kit.layout import new_page, sheet_of
 from covey.views.kit.style import styled
 
 _STRIP = 0.27
@@ -35,7 +36,15 @@ class Ratio(NamedTuple):
 
 
 @styled
-def draw_comparison(ratios: Sequence[Ratio], label: str) -> Figure:
+def draw_comparison(
+    ratios: Sequence[Ratio],
+    label: str,
+    *,
+    reference: float | None = 1.0,
+    ax: Axes | None = None,
+    title: str | None = None,
+    width: float = 2.0 * style.COLUMN_WIDTH,
+) -> Figure:
     """Draw how teams, or objectives, compare with a reference among them.
 
     Parameters
@@ -44,11 +53,19 @@ def draw_comparison(ratios: Sequence[Ratio], label: str) -> Figure:
         In the order of rows, columns, strips and sizes in the picture.
     label
         Label of the axis: what the ratios are.
+    reference
+        A value at which a line is drawn. None: no line.
+    ax
+        Axes in whose place the panels are drawn. Default: a new figure.
+    title
+        Above all panels. Default: none.
+    width
+        Of a new figure, inches. Default: two columns of a paper, 7.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Two columns of a paper wide. All panels have one scale.
+        All panels have one scale.
 
     Raises
     ------
@@ -63,20 +80,25 @@ def draw_comparison(ratios: Sequence[Ratio], label: str) -> Figure:
     )
     left = _LETTER * (max(map(len, strips)) + 2)
     bottom, gap, between, top = 0.38, 0.08, 0.5, 0.48
-    full = 2.0 * style.COLUMN_WIDTH
-    width = (full - left - 0.08 - (len(columns) - 1) * gap) / len(columns)
+    sheet = sheet_of(ax, title, width)
+    across = (sheet.width - left - 0.08 - (len(columns) - 1) * gap) / len(columns)
     height = _STRIP * len(strips)
-    figure = new_figure(full, bottom + len(rows) * height + (len(rows) - 1) * between + top)
-    low, high = _limits(ratios)
+    whole = bottom + len(rows) * height + (len(rows) - 1) * between + top
+    page = new_page(sheet, whole)
+    panels = []
+    low, high = _limits(ratios, reference)
     for i, row in enumerate(rows):
         for j, column in enumerate(columns):
             up = bottom + (len(rows) - 1 - i) * (height + between)
-            axes = add_axes(figure, left + j * (width + gap), up, width, height)
+            axes = page.panel(left + j * (across + gap), up, across, height)
+            panels.append(axes)
             chosen = [ratio for ratio in ratios if (ratio.row, ratio.column) == (row, column)]
             _draw_panel(axes, chosen, strips, sizes)
+            if reference is not None:
+                axes.axvline(reference, **style.GUIDE)
             axes.set_xlim(low, high)
-            title = fill(column, max(1, int(width / _LETTER)), break_long_words=False)
-            axes.set_title(title, pad=3, fontsize=style.SMALL_TEXT_SIZE)
+            name = fill(column, max(1, int(across / _LETTER)), break_long_words=False)
+            axes.set_title(name, pad=3, fontsize=style.SMALL_TEXT_SIZE)
             if j == 0:
                 axes.set_yticks(range(len(strips)), strips)
                 axes.annotate(
@@ -88,15 +110,18 @@ def draw_comparison(ratios: Sequence[Ratio], label: str) -> Figure:
                 )
             if i < len(rows) - 1:
                 axes.tick_params(labelbottom=False)
-    handles, names = figure.axes[0].get_legend_handles_labels()
-    figure.legend(handles, names, loc="upper right", ncols=len(sizes), borderaxespad=0.2)
-    figure.supxlabel(label, y=0.04 / figure.get_figheight(), fontsize=style.TEXT_SIZE)
-    return figure
+    handles, names = panels[0].get_legend_handles_labels()
+    page.legend(handles, names, loc="upper right", ncols=len(sizes), borderaxespad=0.2)
+    page.text(0.5 * sheet.width, 0.04, label, ha="center", va="bottom", fontsize=style.TEXT_SIZE)
+    return page.figure
 
 
-def _limits(ratios: Sequence[Ratio]) -> tuple[float, float]:
-    low = min(1.0, *(ratio.value - ratio.error for ratio in ratios))
-    high = max(1.0, *(ratio.value + ratio.error for ratio in ratios))
+def _limits(ratios: Sequence[Ratio], reference: float | None) -> tuple[float, float]:
+    ends = [] if reference is None else [reference]
+    for ratio in ratios:
+        error = ratio.error if math.isfinite(ratio.error) else 0.0  # nan: from a single start
+        ends += [ratio.value - error, ratio.value + error]
+    low, high = min(ends), max(ends)
     margin = 0.04 * (high - low) or 0.1
     return low - margin, high + margin
 
@@ -118,7 +143,6 @@ def _draw_panel(
         )
     for boundary in range(len(strips) - 1):
         axes.axhline(boundary + 0.5, color=style.DISK, linewidth=0.5 * style.THIN_LINE)
-    axes.axvline(1.0, **style.GUIDE)
     axes.set_ylim(len(strips) - 0.5, -0.5)
     axes.set_yticks([])
     axes.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10], prune="both"))

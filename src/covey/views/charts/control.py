@@ -13,7 +13,7 @@ from covey.model import Team
 from covey.model.angles import unit_vectors, wrap_angle
 from covey.views.charts.single_turn import SingleTurn, draw_angle, draw_arrow, single_turn
 from covey.views.kit import style
-from covey.views.kit.layout import add_axes, camera_around, new_figure, set_view
+from covey.views.kit.layout import camera_around, new_page, set_view, sheet_of
 from covey.views.kit.markers import DOTS, EVADERS, FLOWN, draw
 from covey.views.kit.point_labels import footprint, label
 from covey.views.kit.sampling import joined, sampled
@@ -28,7 +28,15 @@ _THIN: dict[str, Any] = {"color": style.INK, "linewidth": style.THIN_LINE}
 
 
 @styled
-def draw_control(team: Team | None = None, turn: float | None = None, *, evader: int = 0) -> Figure:
+def draw_control(
+    team: Team | None = None,
+    turn: float | None = None,
+    *,
+    evader: int = 0,
+    ax: Axes | None = None,
+    title: str | None = None,
+    width: float = style.COLUMN_WIDTH,
+) -> Figure:
     """Draw a heading over time, and its path (eq. 5; Fig. 1 of the paper).
 
     Parameters
@@ -37,11 +45,16 @@ def draw_control(team: Team | None = None, turn: float | None = None, *, evader:
         The evader; by default an example like the paper's.
     turn
         Signed turn δ, radians.
+    ax
+        Axes in whose place both panels are drawn. Default: a new figure.
+    title
+        Above both panels. Default: none.
+    width
+        Of a new figure, inches. Default: one column of a paper.
 
     Returns
     -------
     matplotlib.figure.Figure
-        One column of a paper wide.
 
     Raises
     ------
@@ -51,11 +64,12 @@ def draw_control(team: Team | None = None, turn: float | None = None, *, evader:
     motion = single_turn(
         _PAPER_LIKE if team is None else team, _PAPER_LIKE_TURN if turn is None else turn, evader
     )
-    side = 1.46
-    figure = new_figure(style.COLUMN_WIDTH, side + 0.56)
-    _draw_heading(add_axes(figure, 0.30, 0.34, side, side), motion)
-    _draw_path(add_axes(figure, style.COLUMN_WIDTH - side - 0.06, 0.34, side, side), motion)
-    return figure
+    sheet = sheet_of(ax, title, width)
+    side = 0.5 * (sheet.width - 0.58)
+    page = new_page(sheet, side + 0.56)
+    _draw_heading(page.panel(0.30, 0.34, side, side), motion)
+    _draw_path(page.panel(sheet.width - side - 0.06, 0.34, side, side), motion)
+    return page.figure
 
 
 def _draw_heading(axes: Axes, motion: SingleTurn) -> None:

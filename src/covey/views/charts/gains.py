@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from covey.model import InputError
 from covey.views.kit import style
-from covey.views.kit.layout import panels_in_a_row
+from covey.views.kit.layout import panels_in_a_row, sheet_of, width_of_panels
 from covey.views.kit.style import styled
 
 _SIDE = 2.0
@@ -27,7 +27,14 @@ class Curve(NamedTuple):
 
 
 @styled
-def draw_gains(turn_rates: Sequence[float], panels: Mapping[str, Mapping[int, Curve]]) -> Figure:
+def draw_gains(
+    turn_rates: Sequence[float],
+    panels: Mapping[str, Mapping[int, Curve]],
+    *,
+    ax: Axes | None = None,
+    title: str | None = None,
+    width: float | None = None,
+) -> Figure:
     """Draw how the mean survival time grows with the turning rate.
 
     Parameters
@@ -36,11 +43,17 @@ def draw_gains(turn_rates: Sequence[float], panels: Mapping[str, Mapping[int, Cu
         (K,) in ascending order, radians per time.
     panels
         For each panel, by its title, the curve of each team size.
+    ax
+        Axes in whose place the panels are drawn. Default: a new figure.
+    title
+        Above all panels. Default: none.
+    width
+        Of a new figure, inches. Default: two columns of a paper, 7, for two panels.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Panels side by side, two columns of a paper wide if there are two.
+        Panels side by side.
 
     Raises
     ------
@@ -54,7 +67,8 @@ def draw_gains(turn_rates: Sequence[float], panels: Mapping[str, Mapping[int, Cu
                     f"panels: expected {len(turn_rates)} ratios and errors for {size} evaders"
                 )
     top = _top(panels)
-    figure, all_axes = panels_in_a_row(panels, _SIDE, _HEADROOM)
+    sheet = sheet_of(ax, title, width or width_of_panels(len(panels)))
+    page, all_axes = panels_in_a_row(list(panels), _SIDE, _HEADROOM, sheet)
     for axes, curves in zip(all_axes, panels.values(), strict=True):
         _draw_panel(axes, turn_rates, curves)
         axes.set_ylim(2.0 - top if top < 1.02 else 0.99, top)
@@ -62,7 +76,7 @@ def draw_gains(turn_rates: Sequence[float], panels: Mapping[str, Mapping[int, Cu
     handles, labels = first.get_legend_handles_labels()
     first.legend(handles[::-1], labels[::-1], loc="upper left")  # in the order of the curves
     first.set_ylabel(f"mean survival time, relative to {_rate_text(turn_rates[0])}")
-    return figure
+    return page.figure
 
 
 def _top(panels: Mapping[str, Mapping[int, Curve]]) -> float:
@@ -95,10 +109,11 @@ def _draw_panel(axes: Axes, turn_rates: Sequence[float], curves: Mapping[int, Cu
 
 
 def _rate_text(rate: float) -> str:
-    """Write simple multiples of π as such."""
+    """Write simple multiples of π, and angles that were given in degrees, as such."""
     for divisor in (1, 2, 3, 4, 6, 8):
         times = rate * divisor / math.pi
         if abs(times - round(times)) < 1e-9 and 0 < round(times) < 10:
             factor = "" if round(times) == 1 else str(round(times))
             return rf"${factor}\pi$" if divisor == 1 else rf"${factor}\pi/{divisor}$"
-    return f"{rate:.3g}"
+    degrees = round(math.degrees(rate), 6)
+    return f"{degrees:g}°" if math.radians(degrees) == rate else f"{rate:.3g}"

@@ -9,15 +9,18 @@ import numpy.typing as npt
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from covey.simulation import Game
-from covey.views.games.scene import draw_legend, draw_scene, extent
+from covey.views.games.scene import draw_legend, draw_numbers, draw_scene, extent
 from covey.views.games.snapshot import Snapshot, end_of, snapshot_at, trajectories
-from covey.views.kit.layout import add_axes, camera_around, margins, new_figure, set_view
+from covey.views.kit.close_up import fitting_scale
+from covey.views.kit.layout import Sheet, camera_around, margins, name_axes, new_page, set_view
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
 
 Frame = npt.NDArray[np.uint8]
 
 _DOTS_PER_INCH = 180
+_EDGE = 0.1
+"""Inches from the edge of a frame to its caption."""
 _PLANS = 40
 """Number of times, evenly spaced, whose planned paths the camera shows whole."""
 
@@ -29,24 +32,31 @@ class FrameRenderer:
     ----------
     game
         The record of a game.
+    title
+        Above the frames. Default: none.
+    width
+        Inches, of 180 dots each.
     """
 
     @styled
-    def __init__(self, game: Game) -> None:
+    def __init__(self, game: Game, title: str | None = None, width: float = COLUMN_WIDTH) -> None:
         self._game = game
         self._flown = trajectories(game)
-        self._write = time_format(end_of(game))
+        self._write = time_format(end_of(game), game.team.units.time)
         plans = [snapshot_at(game, time) for time in np.linspace(0.0, end_of(game), _PLANS)]
         camera = camera_around(extent(plans, self._flown))
-        bottom, title = 0.72, 0.24
-        left, right = margins(camera)
-        side = COLUMN_WIDTH - left - right
-        figure = new_figure(COLUMN_WIDTH, bottom + side + title)
+        bottom, caption, letter = 0.88, 0.24, 0.18
+        numbers, right = margins(camera)
+        left = letter + numbers
+        side = width - left - right
+        page = new_page(Sheet(None, title, width), bottom + side + caption)
+        figure = page.figure
         figure.set_dpi(_DOTS_PER_INCH)
-        self.axes = add_axes(figure, left, bottom, side, side)
+        self.axes = page.panel(left, bottom, side, side)
         set_view(self.axes, camera)
-        draw_legend(figure)
-        self._title = self.axes.set_title("", loc="left", pad=4)
+        name_axes(self.axes, game.team.unit)
+        draw_legend(page)
+        self._title = self.axes.set_title("", loc="left", pad=4, x=(_EDGE - left) / side)
         self._canvas = cast(Any, FigureCanvasAgg(figure))  # its methods have no types
         self._canvas.draw()
         self._background = self._canvas.copy_from_bbox(figure.bbox)
@@ -56,7 +66,9 @@ class FrameRenderer:
         """Render a time of the game as (height, width, 3); video codecs demand even numbers."""
         self._canvas.restore_region(self._background)
         snapshot = snapshot_at(self._game, time)
-        moving = draw_scene(self.axes, snapshot, self._flown)
+        scale = fitting_scale(self.axes, snapshot.team.positions)
+        moving = draw_scene(self.axes, snapshot, self._flown, scale)
+        moving += draw_numbers(self.axes, snapshot)
         self._title.set_text(self._caption(snapshot))
         for artist in sorted(moving, key=lambda artist: artist.get_zorder()):
             self.axes.draw_artist(artist)
@@ -72,6 +84,6 @@ class FrameRenderer:
         captured = int(np.sum(~snapshot.alive))
         time, guaranteed = self._write(snapshot.time), self._write(snapshot.guaranteed)
         return (
-            f"t = {time}     guaranteed until {guaranteed}"
-            f"     captured {captured} of {len(snapshot.alive)}"
+            f"t = {time}   guaranteed until {guaranteed}"
+            f"   captured {captured} of {len(snapshot.alive)}"
         )

@@ -25,6 +25,15 @@ def require_video() -> Any:
         ) from None
 
 
+def has_video() -> bool:
+    """Tell whether ffmpeg is installed."""
+    try:
+        require_video()
+    except InputError:
+        return False
+    return True
+
+
 def save_mp4(path: Path, frames: Iterator[Frame], fps: float, hold: float) -> None:
     """Write frames as a film whose last frame stays for `hold` seconds.
 

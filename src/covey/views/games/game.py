@@ -5,11 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from covey.simulation import Game
-from covey.views.games.snapshot import capture_points, end_of, snapshot_at, trajectories
-from covey.views.kit.layout import TITLE, camera_around, single_map
+from covey.views.games.snapshot import (
+    Trajectories,
+    capture_points,
+    end_of,
+    snapshot_at,
+    trajectories,
+)
+from covey.views.kit.close_up import close_up, fitting_scale
+from covey.views.kit.layout import Sheet, camera_around, single_map
 from covey.views.kit.markers import (
     CAPTURED,
     DOTS,
@@ -20,45 +28,71 @@ from covey.views.kit.markers import (
     draw_disk,
     pursuer_flying,
 )
-from covey.views.kit.point_labels import label
-from covey.views.kit.sampling import joined
-from covey.views.kit.style import styled
+from covey.views.kit.point_labels import NUMBER, label, number_and_time, number_evaders
+from covey.views.kit.sampling import joined, rim
+from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
 
 
 @styled
-def draw_game(game: Game) -> Figure:
-    """Draw all trajectories of a game, and its captures, numbered in order, with their times.
+def draw_game(
+    game: Game, *, ax: Axes | None = None, title: str | None = None, width: float = COLUMN_WIDTH
+) -> Figure:
+    """Draw all trajectories of a game, and its captures: who was captured, and when.
 
-    Dots are the evaders at the start, the triangle is the pursuer at the start. Full circles are
-    evaders alive at the end. The disk is the pursuer's at the start.
+    Dots are the evaders at the start, with their numbers; the triangle is the pursuer at the start.
+    Full circles are evaders alive at the end. The disk is the pursuer's at the start. Where the
+    start is small beside the game, a close-up shows it.
 
     Parameters
     ----------
     game
         The record of a game.
+    ax
+        Axes to draw on. Default: a new figure.
+    title
+        Default: how long the team survived, and what was guaranteed.
+    width
+        Of a new figure, inches. Default: one column of a paper, 3.5.
 
     Returns
     -------
     matplotlib.figure.Figure
-        One column of a paper wide.
     """
-    flown, points = trajectories(game), capture_points(game)
-    start, end = snapshot_at(game, 0.0), snapshot_at(game, end_of(game))
+    flown, points, unit = trajectories(game), capture_points(game), game.team.unit
     tracks = [*np.swapaxes(flown.evaders, 0, 1), flown.pursuer]
-    figure, axes = single_map(camera_around(joined(tracks)), headroom=TITLE)
+    write = time_format(end_of(game), game.team.units.time)
+    sheet = Sheet(ax, _outcome(game, write) if title is None else title, width)
+    figure, axes = single_map(camera_around(joined(tracks)), sheet, unit)
+    disk, team = rim(game.disk.center, game.disk.radius), range(len(game.team))
+    texts = [
+        number_and_time(i, write(time))
+        for i, time in zip(game.capture_sequence.tolist(), game.capture_times.tolist(), strict=True)
+    ]
+    inset = close_up(axes, joined([game.team.positions, disk]), joined(tracks))
+    for each in (axes, inset) if inset else (axes,):
+        _draw_course(each, game, flown)
+    if inset:
+        label(axes, points, texts, joined(tracks))
+        number_evaders(inset, game.team.positions, team, joined([*tracks, disk]))
+    else:
+        looks = [NUMBER] * len(game.team) + [{}] * len(texts)
+        places = np.concatenate([game.team.positions, points])
+        label(axes, places, [*map(str, team), *texts], joined(tracks), looks=looks)
+    return figure
+
+
+def _draw_course(axes: Axes, game: Game, flown: Trajectories) -> None:
+    """Draw everything but labels."""
+    start, end = snapshot_at(game, 0.0), snapshot_at(game, end_of(game))
+    scale = fitting_scale(axes, game.team.positions)
     draw_disk(axes, game.disk.center, game.disk.radius)
     draw(axes, PURSUER_FLOWN, flown.pursuer)
-    draw(axes, FLOWN, *tracks[:-1])
-    draw(axes, DOTS, game.team.positions)
-    draw(axes, CAPTURED, points)
+    draw(axes, FLOWN, *np.swapaxes(flown.evaders, 0, 1))
+    draw(axes, DOTS, game.team.positions, scale=scale)
+    draw(axes, CAPTURED, capture_points(game))
     draw(axes, EVADERS, end.team.positions[end.alive])
-    draw(axes, pursuer_flying(start.pursuer_heading), start.pursuer, scale=0.8)
-    write = time_format(end_of(game))
-    axes.set_title(_outcome(game, write), loc="left", pad=4)
-    texts = [f"{k}: {write(time)}" for k, time in enumerate(game.capture_times.tolist(), start=1)]
-    label(axes, points, texts, joined(tracks))
-    return figure
+    draw(axes, pursuer_flying(start.pursuer_heading), start.pursuer, scale=0.8 * scale)
 
 
 def _outcome(game: Game, write: Callable[[float], str]) -> str:

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
+from matplotlib.text import Annotation
 
+from covey.model.angles import unit_vectors
 from covey.model.validation import Floats
 from covey.views.games.prediction import predicted
 from covey.views.games.snapshot import Snapshot, Trajectories, until
+from covey.views.kit import style
+from covey.views.kit.layout import Page
 from covey.views.kit.markers import (
     CAPTURED,
     CENTER,
@@ -25,7 +30,11 @@ from covey.views.kit.markers import (
     legend_handle,
     pursuer_flying,
 )
-from covey.views.kit.sampling import joined
+from covey.views.kit.point_labels import NUMBER
+from covey.views.kit.sampling import joined, sampled
+
+_BESIDE = 7.0
+"""From an evader to its number, typographic points."""
 
 
 def draw_scene(
@@ -48,13 +57,41 @@ def draw_scene(
     ]
 
 
+def draw_numbers(axes: Axes, snapshot: Snapshot) -> list[Annotation]:
+    """Write the number of each evader to its left, and return the texts.
+
+    Behind it is its track and ahead its plan; beside it there is room, and the number doesn't jump.
+    """
+    lefts = _BESIDE * unit_vectors(snapshot.team.headings + 0.5 * math.pi)
+    return [
+        axes.annotate(
+            str(i),
+            tuple(snapshot.team.positions[i].tolist()),
+            xytext=tuple(lefts[i].tolist()),
+            textcoords="offset points",
+            ha="center",
+            va="center",
+            fontsize=style.SMALL_TEXT_SIZE,
+            zorder=style.TEXT_LAYER,
+            **NUMBER,
+        )
+        for i in range(len(lefts))
+    ]
+
+
+def drawn_lines(snapshot: Snapshot, flown: Trajectories) -> Floats:
+    """Points (K, 2) along all lines of a scene, for labels to keep clear of."""
+    past, future = until(flown, snapshot), predicted(snapshot)
+    return joined([past.evaders, past.pursuer, *future.paths, sampled(future.pursuer)])
+
+
 def extent(snapshots: list[Snapshot], flown: Trajectories) -> Floats:
     """Points (K, 2) that a camera must see: trajectories, and the paths planned at snapshots."""
     planned = [path for snapshot in snapshots for path in predicted(snapshot).paths]
     return joined([flown.evaders, flown.pursuer, *planned])
 
 
-def draw_legend(figure: Figure) -> None:
+def draw_legend(page: Page) -> None:
     """Explain the markers, at the foot of the figure; about 0.45 in high."""
     handles = [
         legend_handle(EVADERS, "evader"),
@@ -67,4 +104,4 @@ def draw_legend(figure: Figure) -> None:
         legend_handle(PLANNED, "planned"),
         legend_handle(PURSUER_PREDICTED, "predicted pursuit"),
     ]
-    figure.legend(handles=handles, loc="lower center", ncols=3, columnspacing=1.2, borderpad=0.1)
+    page.legend(handles=handles, loc="lower center", ncols=3, columnspacing=1.2, borderpad=0.1)

@@ -5,24 +5,35 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from covey.model import InputError
 from covey.model.validation import Floats, frozen_array
 from covey.simulation import Game
-from covey.views.games.scene import draw_legend, draw_scene, extent
+from covey.views.games.scene import draw_legend, draw_scene, drawn_lines, extent
 from covey.views.games.snapshot import end_of, snapshot_at, trajectories
-from covey.views.kit.layout import add_axes, camera_around, margins, new_figure, set_view
+from covey.views.kit.close_up import fitting_scale
+from covey.views.kit.layout import camera_around, maps_in_rows, sheet_of
+from covey.views.kit.point_labels import number_evaders
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
 
-_BOTTOM, _GAP, _TITLE = 0.66, 0.08, 0.20
+_FOOT = 0.86
+"""For the names of the axes and the legend, inches."""
 _SCALE = 0.75
 """Scale of the markers: these maps are half as wide as others."""
 
 
 @styled
-def draw_snapshots(game: Game, times: Sequence[float] | None = None) -> Figure:
+def draw_snapshots(
+    game: Game,
+    times: Sequence[float] | Floats | None = None,
+    *,
+    ax: Axes | None = None,
+    title: str | None = None,
+    width: float = COLUMN_WIDTH,
+) -> Figure:
     """Draw snapshots of a game, all through the same camera, two in a row (Fig. 3 of the paper).
 
     Parameters
@@ -30,13 +41,18 @@ def draw_snapshots(game: Game, times: Sequence[float] | None = None) -> Figure:
     game
         The record of a game.
     times
-        From 0 to the end of the game. By default four: the start, shortly before the first
-        capture, that capture, and a little later.
+        From 0 to the end of the game. By default four: the start, a fifth and a half of the game,
+        and its end.
+    ax
+        Axes in whose place the maps are drawn. Default: a new figure.
+    title
+        Above all maps. Default: none.
+    width
+        Of a new figure, inches. Default: one column of a paper, 3.5.
 
     Returns
     -------
     matplotlib.figure.Figure
-        One column of a paper wide.
 
     Raises
     ------
@@ -46,27 +62,28 @@ def draw_snapshots(game: Game, times: Sequence[float] | None = None) -> Figure:
     snapshots = [snapshot_at(game, time) for time in _checked(game, times)]
     flown = trajectories(game)
     camera = camera_around(extent(snapshots, flown))
-    write = time_format(end_of(game))
-    rows = -(-len(snapshots) // 2)
-    left, right = margins(camera)
-    side = (COLUMN_WIDTH - left - _GAP - right) / 2
-    figure = new_figure(COLUMN_WIDTH, _BOTTOM + rows * (side + _TITLE))
-    for number, snapshot in enumerate(snapshots):
-        across, down = number % 2, number // 2
-        bottom = _BOTTOM + (rows - 1 - down) * (side + _TITLE)
-        axes = add_axes(figure, left + across * (side + _GAP), bottom, side, side)
-        set_view(axes, camera)
-        axes.tick_params(labelleft=across == 0, labelbottom=number + 2 >= len(snapshots))
-        axes.set_title(
-            f"({chr(ord('a') + number)})  $t$ = {write(snapshot.time)}", loc="left", pad=3
-        )
-        draw_scene(axes, snapshot, flown, _SCALE)
-    draw_legend(figure)
-    return figure
+    write = time_format(end_of(game), game.team.units.time)
+    names = [
+        f"({chr(ord('a') + k)})  $t$ = {write(snapshot.time)}"
+        for k, snapshot in enumerate(snapshots)
+    ]
+    sheet = sheet_of(ax, title, width)
+    page, maps = maps_in_rows(names, 2, camera, game.team.unit, _FOOT, sheet)
+    for axes, snapshot in zip(maps, snapshots, strict=True):
+        positions = snapshot.team.positions
+        draw_scene(axes, snapshot, flown, _SCALE * fitting_scale(axes, positions))
+        number_evaders(axes, positions, range(len(positions)), drawn_lines(snapshot, flown))
+    draw_legend(page)
+    return page.figure
 
 
 def default_times(game: Game) -> Floats:
-    """Four times between which a hidden pursuer's disk grows and collapses."""
+    """Four times, all over a game."""
+    return np.array([0.0, 0.2, 0.5, 1.0]) * end_of(game)
+
+
+def times_around_first_capture(game: Game) -> Floats:
+    """Four times between which a hidden pursuer's disk grows and collapses (Fig. 3)."""
     captures = game.capture_times
     if len(captures) < 2 or captures[0] == 0.0:
         return np.linspace(0.0, end_of(game), 4)
@@ -75,7 +92,7 @@ def default_times(game: Game) -> Floats:
     return np.array([0.0, 0.75 * first, first, min(later, end_of(game))])
 
 
-def _checked(game: Game, times: Sequence[float] | None) -> list[float]:
+def _checked(game: Game, times: Sequence[float] | Floats | None) -> list[float]:
     wanted = default_times(game) if times is None else frozen_array("times", times, (None,))
     outside = wanted[(wanted < 0.0) | (wanted > end_of(game))]
     if len(wanted) == 0 or len(outside):

@@ -12,7 +12,8 @@ from covey.model.validation import Floats
 from covey.planning import ContingentPlan
 from covey.simulation.expected_captures import expected_captures
 from covey.views.games.flight import path
-from covey.views.kit.layout import add_axes, camera_around, margins, new_figure, set_view
+from covey.views.kit.close_up import fitting_scale
+from covey.views.kit.layout import Page, camera_around, maps_in_rows, sheet_of
 from covey.views.kit.markers import (
     CAPTURED,
     CENTER,
@@ -25,13 +26,14 @@ from covey.views.kit.markers import (
     draw_disk,
     legend_handle,
 )
-from covey.views.kit.point_labels import label
+from covey.views.kit.point_labels import number_evaders
 from covey.views.kit.sampling import joined, sampled
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
 
 _COLUMNS = 3
-_BOTTOM, _GAP, _TITLE = 0.5, 0.08, 0.20
+_FOOT = 0.66
+"""For the names of the axes and the legend, inches."""
 _SCALE = 0.75
 """Scale of the markers, as in other maps that are not the only one in a figure."""
 
@@ -44,7 +46,13 @@ class Branch(NamedTuple):
 
 
 @styled
-def draw_contingent(tree: ContingentPlan) -> Figure:
+def draw_contingent(
+    tree: ContingentPlan,
+    *,
+    ax: Axes | None = None,
+    title: str | None = None,
+    width: float = 2.0 * COLUMN_WIDTH,
+) -> Figure:
     """Draw a contingent plan: the plan now, then the plan after each first capture.
 
     Every map shows its plan along the capture sequence that is the worst for it, with the turns
@@ -55,53 +63,50 @@ def draw_contingent(tree: ContingentPlan) -> Figure:
     ----------
     tree
         What `covey.plan_contingent` returned.
+    ax
+        Axes in whose place the maps are drawn. Default: a new figure.
+    title
+        Above all maps. Default: none.
+    width
+        Of a new figure, inches. Default: two columns of a paper, 7.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Two columns of a paper wide.
     """
     first = {i: _flown(tree, i) for i in tree.evaders} if len(tree.evaders) > 1 else {}
     plans = [tree, *(tree.after(i) for i in first)]
     branches = [_worst_branch(each) for each in plans]
     seen = joined([points for each in branches for points in each.paths.values()])
     camera = camera_around(joined([seen, tree.disk.center + tree.disk.radius * np.eye(2)]))
-    left, right = margins(camera)
-    side = (2.0 * COLUMN_WIDTH - left - right - (_COLUMNS - 1) * _GAP) / _COLUMNS
-    rows = -(-len(plans) // _COLUMNS)
-    figure = new_figure(2.0 * COLUMN_WIDTH, _BOTTOM + rows * (side + _TITLE))
-    write = time_format(tree.survival_time)
-    for k, (each, branch) in enumerate(zip(plans, branches, strict=True)):
-        down, across = divmod(k, _COLUMNS)
-        bottom = _BOTTOM + (rows - 1 - down) * (side + _TITLE)
-        axes = add_axes(figure, left + across * (side + _GAP), bottom, side, side)
-        set_view(axes, camera)
-        axes.tick_params(labelleft=across == 0, labelbottom=k + _COLUMNS >= len(plans))
-        if k == 0:
-            title = f"now: survives {write(each.survival_time)}"
-        else:
-            captured = tree.evaders[k - 1]
-            title = f"after {captured}: {write(each.survival_time)} more"
-            draw(axes, FLOWN, *first[captured].values())
-            draw(axes, CAPTURED, first[captured][captured][-1], scale=_SCALE)
-        axes.set_title(title, loc="left", pad=3)
-        _draw_plan(axes, each, branch)
-    _draw_legend(figure)
-    return figure
+    write = time_format(tree.survival_time, tree.team.units.time)
+    names = [f"now: survives {write(tree.survival_time)}"]
+    names += [f"after {i}: {write(tree.after(i).survival_time)} more" for i in first]
+    sheet = sheet_of(ax, title, width)
+    page, maps = maps_in_rows(names, _COLUMNS, camera, tree.team.unit, _FOOT, sheet)
+    flights: list[dict[int, Floats]] = [{}, *first.values()]
+    for axes, each, branch, flown in zip(maps, plans, branches, flights, strict=True):
+        _draw_plan(axes, each, branch, [*flown.values()])
+    for axes, (i, flown) in zip(maps[1:], first.items(), strict=True):
+        draw(axes, CAPTURED, flown[i][-1], scale=_SCALE)
+    _draw_legend(page)
+    return page.figure
 
 
-def _draw_plan(axes: Axes, tree: ContingentPlan, branch: Branch) -> None:
-    """Draw the team where a plan begins, and the branch."""
+def _draw_plan(axes: Axes, tree: ContingentPlan, branch: Branch, flown: list[Floats]) -> None:
+    """Draw what was flown until a plan begins, the team there, and the branch."""
+    draw(axes, FLOWN, *flown)
     team, disk = tree.team, tree.disk
+    scale = _SCALE * fitting_scale(axes, team.positions)
     draw_disk(axes, disk.center, disk.radius)
-    draw(axes, CENTER, disk.center, scale=_SCALE)
+    draw(axes, CENTER, disk.center, scale=scale)
     pursuer = np.vstack([disk.nearest_point(branch.captures[0]), branch.captures])
     draw(axes, PURSUER_PREDICTED, pursuer)
     draw(axes, PLANNED, *branch.paths.values())
     draw(axes, PREDICTED, branch.captures, scale=_SCALE)
-    draw(axes, EVADERS, team.positions, scale=_SCALE)
-    lines = joined([*branch.paths.values(), sampled(pursuer)])
-    label(axes, team.positions, [str(i) for i in tree.evaders], lines)
+    draw(axes, EVADERS, team.positions, scale=scale)
+    lines = joined([*branch.paths.values(), sampled(pursuer), *flown])
+    number_evaders(axes, team.positions, tree.evaders, lines)
 
 
 def _flown(tree: ContingentPlan, i: int) -> dict[int, Floats]:
@@ -126,7 +131,8 @@ def _worst_branch(tree: ContingentPlan) -> Branch:
     return Branch({i: np.concatenate(each) for i, each in pieces.items()}, np.array(captures))
 
 
-def _draw_legend(figure: Figure) -> None:
+def _draw_legend(page: Page) -> None:
+    columns = 6 if page.width > 1.5 * COLUMN_WIDTH else 3
     handles = [
         legend_handle(EVADERS, "evader"),
         legend_handle(CAPTURED, "captured"),
@@ -135,4 +141,6 @@ def _draw_legend(figure: Figure) -> None:
         legend_handle(PLANNED, "planned"),
         legend_handle(PURSUER_PREDICTED, "predicted pursuit"),
     ]
-    figure.legend(handles=handles, loc="lower center", ncols=6, columnspacing=1.2, borderpad=0.1)
+    page.legend(
+        handles=handles, loc="lower center", ncols=columns, columnspacing=1.2, borderpad=0.1
+    )

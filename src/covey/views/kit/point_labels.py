@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -32,23 +33,33 @@ _NEAR = 9.0
 """A hair line joins a mark and its label if they are farther apart, typographic points."""
 
 
+NUMBER: dict[str, Any] = {"color": style.EVADER, "fontweight": "bold"}
+"""How the number of an evader looks beside it."""
+
+
+def number_and_time(evader: int, time: str) -> str:
+    """Write whose capture a place is, and its time with its unit: **3**: t = 12.5 s."""
+    return rf"$\mathbf{{{evader}}}$: $t$ = {time}"
+
+
 def label(
     axes: Axes,
     points: Floats,
     texts: Sequence[str],
     lines: Floats,
     size: float = style.SMALL_TEXT_SIZE,
+    looks: Sequence[dict[str, Any]] | None = None,
 ) -> list[Annotation]:
     """Write a text beside each of `points` (K, 2), clear of other labels and of `lines` (M, 2).
 
     Greedy: one label after the other takes the best position that is left. The axes must have their
-    final position and limits.
+    final position and limits. `looks` are properties of each text.
     """
     drawn = axes.transData.transform(np.concatenate([lines, points]))
     taken: list[Bbox] = []
     labels = []
-    for point, text in zip(points, texts, strict=True):
-        note = _note(axes, point, text, size)
+    for point, text, look in zip(points, texts, looks or [{}] * len(texts), strict=True):
+        note = _note(axes, point, text, {"fontsize": size} | look)
         distance, offset, box = _best_position(axes, note, drawn, taken)
         note.set_position(offset)
         if note.arrow_patch is not None:
@@ -67,7 +78,15 @@ def footprint(axes: Axes, text: Text) -> Floats:
     return points
 
 
-def _note(axes: Axes, point: Floats, text: str, size: float) -> Annotation:
+def number_evaders(
+    axes: Axes, points: Floats, evaders: Sequence[int], lines: Floats
+) -> list[Annotation]:
+    """Write the number of each evader beside its point, (K, 2), clear of `lines` (M, 2)."""
+    looks = [NUMBER] * len(evaders)
+    return label(axes, points, [str(i) for i in evaders], lines, looks=looks)
+
+
+def _note(axes: Axes, point: Floats, text: str, look: dict[str, Any]) -> Annotation:
     return axes.annotate(
         text,
         (float(point[0]), float(point[1])),
@@ -76,7 +95,7 @@ def _note(axes: Axes, point: Floats, text: str, size: float) -> Annotation:
         ha="center",
         va="center",
         arrowprops=_LEADER,
-        fontsize=size,
+        **look,
         zorder=style.TEXT_LAYER,
     )
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 import numpy as np
 
+from covey.model.angles import unit_vectors
 from covey.model.validation import Floats
 
 _SAMPLES = 40
@@ -15,6 +17,11 @@ _SAMPLES = 40
 def joined(paths: Iterable[Floats]) -> Floats:
     """All points of some paths, (K, 2)."""
     return np.concatenate([np.reshape(path, (-1, 2)) for path in paths])
+
+
+def rim(center: Floats, radius: float) -> Floats:
+    """Points (K, 2) along the rim of a disk."""
+    return center + radius * unit_vectors(np.linspace(0.0, math.tau, _SAMPLES))
 
 
 def sampled(corners: Floats) -> Floats:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+from covey.model.units import with_unit
 
-def time_format(longest: float) -> Callable[[float], str]:
+
+def time_format(longest: float, unit: str = "") -> Callable[[float], str]:
     """Return a function that writes times, all with the decimals that give `longest` 3 digits."""
     if not 1e-3 <= longest < 1e5:
-        return lambda time: f"{time:.3g}"
+        return lambda time: with_unit(f"{time:.3g}", unit)
     decimals = max(0, 2 - math.floor(math.log10(longest)))
-    return lambda time: f"{time:.{decimals}f}"
+    return lambda time: with_unit(f"{time:.{decimals}f}", unit)

@@ -1,0 +1,80 @@
+"""One function that draws whatever has a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from covey.bounds import Bracket
+from covey.model import InputError
+from covey.model.validation import number, shown
+from covey.planning import ContingentPlan, Plan
+from covey.simulation import Game
+from covey.studies import StudyResult
+from covey.views.charts.study import draw_study
+from covey.views.games.game import draw_game
+from covey.views.games.plan import draw_bracket, draw_plan
+from covey.views.games.tree import draw_contingent
+
+_DRAWN: Mapping[type, Callable[..., Figure]] = {
+    Plan: draw_plan,
+    ContingentPlan: draw_contingent,
+    Bracket: draw_bracket,
+    Game: draw_game,
+    StudyResult: draw_study,
+}
+
+
+def draw(
+    x: Plan | ContingentPlan | Bracket | Game | StudyResult,
+    ax: Axes | None = None,
+    *,
+    title: str | None = None,
+    width: float | None = None,
+) -> Figure:
+    """Draw a plan, a contingent plan, a bracket, a game or the results of a study.
+
+    Parameters
+    ----------
+    x
+        What `covey.plan`, `plan_contingent`, `bracket`, `simulate`, `run_study` or one of their
+        kind returned.
+    ax
+        Axes to draw on; a picture of several panels is drawn in their place. Default: a new figure.
+    title
+        Above the picture. Default: what it shows in a few words, if it has a single map.
+    width
+        Of a new figure, inches. Default: one or two columns of a paper, 3.5 or 7.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        It shows itself in a notebook. `covey.views.save` and its own `savefig` write it to a file.
+
+    Raises
+    ------
+    InputError
+        If `x` is something else, or a study too few of whose games came to their end.
+
+    Notes
+    -----
+    `covey.views` has a function for each, and others: snapshots of a game, the paper's figures.
+
+    Examples
+    --------
+    >>> import covey
+    >>> picture = covey.draw(covey.load_scenario("fig3").plan())
+    """
+    options: dict[str, Any] = {} if title is None else {"title": title}
+    if width is not None:
+        options["width"] = number("width", width, low=1.0, high=100.0)
+    for kind, function in _DRAWN.items():
+        if isinstance(x, kind):
+            return function(x, ax=ax, **options)
+    raise InputError(
+        "x: expected a plan, a contingent plan, a bracket, a game or the results of a study, "
+        f"got {shown(x)}"
+    )

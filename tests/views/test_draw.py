@@ -1,0 +1,118 @@
+"""`covey.draw`: one function for whatever has a picture, on new axes or on given ones."""
+
+from __future__ import annotations
+
+import inspect
+from functools import cache
+
+import matplotlib.image
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+import covey
+from covey import views
+from random_games import random_game
+from views.drawn_artists import labels, points
+from views.flown_games import simulated
+
+TEAM, DISK = random_game(np.random.default_rng(2), 3, radius=0.1)
+DRAWN = {
+    "plan": lambda: covey.plan(TEAM, DISK, starts=2),
+    "contingent plan": lambda: covey.plan_contingent(TEAM, DISK),
+    "bracket": lambda: covey.bracket(TEAM, DISK, starts=2),
+    "game": simulated,
+}
+made = cache(lambda name: DRAWN[name]())
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory):
+    """The results of a small study."""
+    study = covey.Study(starts=3, update_time=0.2, team_size=2, sensing="hidden")
+    return covey.run_study(study, tmp_path_factory.mktemp("study") / "results", workers=1)
+
+
+@pytest.fixture
+def drawn(request, results):
+    """One of those that have a picture."""
+    return results if request.param == "study" else made(request.param)
+
+
+EACH = pytest.mark.parametrize("drawn", [*DRAWN, "study"], indirect=True)
+
+
+@EACH
+def test_a_picture_shows_itself_in_a_notebook(drawn, tmp_path):
+    figure = covey.draw(drawn)
+    (tmp_path / "picture.png").write_bytes(figure._repr_png_())
+    assert matplotlib.image.imread(tmp_path / "picture.png").std() > 0.01
+
+
+@EACH
+def test_given_axes_are_drawn_on(drawn):
+    figure = Figure(figsize=(12, 6))
+    left, right = figure.subplots(1, 2)
+    before = left.get_position().bounds
+    assert covey.draw(drawn, ax=right) is figure
+    figure.canvas.draw()
+    assert figure.axes == [left, right]
+    assert left.get_position().bounds == before
+    assert not left.has_data()
+    place = right.get_position()
+    for axes in right.child_axes or [right]:
+        inside = axes.get_position()
+        assert place.x0 - 1e-9 <= inside.x0 < inside.x1 <= place.x1 + 1e-9
+        assert place.y0 - 1e-9 <= inside.y0 < inside.y1 <= place.y1 + 1e-9
+    assert right.has_data() or any(axes.has_data() for axes in right.child_axes)
+
+
+@EACH
+def test_a_title_and_a_width_of_ones_own(drawn):
+    figure = covey.draw(drawn, title="My title", width=5.5)
+    assert figure.get_figwidth() == pytest.approx(5.5)
+    above = [axes.get_title(loc="left") for axes in figure.axes]
+    assert "My title" in above + [text.get_text() for text in figure.texts]
+
+
+@pytest.mark.parametrize("name", [name for name in views.__all__ if name.startswith("draw")])
+def test_every_drawing_takes_axes_a_title_and_a_width(name):
+    assert {"ax", "title", "width"} <= inspect.signature(getattr(views, name)).parameters.keys()
+
+
+def test_a_bracket_names_both_bounds():
+    bracket = made("bracket")
+    (axes,) = covey.draw(bracket).axes
+    title = axes.get_title(loc="left")
+    assert f"{bracket.lower:.2f}" in title
+    assert f"{bracket.upper:.2f}" in title
+
+
+@pytest.mark.parametrize("other", [None, 3, TEAM, "fig3"])
+def test_what_has_no_picture_is_told(other):
+    with pytest.raises(covey.InputError, match=r"^x: expected a plan, .* a study, got "):
+        covey.draw(other)
+
+
+@pytest.mark.parametrize("width", [0.5, "wide"])
+def test_a_width_is_in_inches(width):
+    with pytest.raises(covey.InputError, match="width: "):
+        covey.draw(made("plan"), width=width)
+
+
+def test_a_start_that_is_small_beside_the_game_has_a_close_up():
+    team = covey.Team([(9.0, 3.0), (-2.0, 10.0), (-8.0, -5.0)], 0.0, 0.5)
+    disk = covey.PursuerDisk(radius=5.0)
+    for x in (covey.plan(team, disk), covey.simulate(team, disk, update_time=0.5)):
+        (axes,) = covey.draw(x).axes
+        (inset,) = axes.child_axes
+        assert [text.get_text() for text in labels(inset)] == ["0", "1", "2"]
+        low, high = inset.get_xlim()
+        assert low < -8.0 < 9.0 < high < axes.get_xlim()[1]
+        name = "evaders" if isinstance(x, covey.Plan) else "dots"
+        assert points(inset, name) == pytest.approx(team.positions)
+
+
+def test_a_start_as_wide_as_the_game_has_none():
+    (axes,) = covey.draw(simulated()).axes
+    assert axes.child_axes == []
