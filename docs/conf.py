@@ -81,6 +81,7 @@ autodoc_type_aliases = {name: name for name in ("npt.ArrayLike", "Floats", "Ints
 # What is public has a page. Other libraries have pages elsewhere.
 nitpick_ignore_regex = [
     ("py:.*", r"(?!covey\.).*"),
+    ("py:.*", r"covey\.(scenarios|studies|views)"),
     ("py:.*", r"covey\.(bounds|model|planning|players|simulation)\..*"),
     ("py:.*", r"covey\.\w+\.\w+\..*"),
 ]

@@ -6,7 +6,6 @@ One picture of a whole game against a pursuer that the team sees.
 """
 
 import covey
-from covey import scenarios, views
 
-game = covey.load_scenario(scenarios.example_path("visible")).simulate()
-figure = views.draw_game(game)
+game = covey.load_scenario("visible").simulate()
+figure = covey.draw(game)

@@ -8,9 +8,7 @@ A small Fig. 4: how much of its survival time a team loses when it can't see the
 import tempfile
 
 import covey
-from covey import studies, views
 
 study = covey.Study(starts=60, team_size=[3, 5], update_time=0.05, pursuer="as-visible")
 with tempfile.TemporaryDirectory() as folder:
-    result = covey.run_study(study, folder, workers=1)
-    figure = views.draw_ratios(studies.survival_ratios(result))
+    figure = covey.draw(covey.run_study(study, folder, workers=1))

@@ -6,7 +6,7 @@ The paper's Fig. 3: the disk grows while the pursuer is hidden, and collapses at
 """
 
 import covey
-from covey import scenarios, views
+from covey import views
 
-game = covey.load_scenario(scenarios.example_path("fig3")).simulate()
+game = covey.load_scenario("fig3").simulate()
 figure = views.draw_snapshots(game)

@@ -8,9 +8,8 @@ How long each of covey's teams survives from the same start, against the same pu
 import matplotlib.pyplot as plt
 
 import covey
-from covey import scenarios
 
-scenario = covey.load_scenario(scenarios.example_path("fig3"))
+scenario = covey.load_scenario("fig3")
 teams = {
     "iterative-open-loop": covey.IterativeOpenLoop(),
     "open-loop": covey.OpenLoop(),
