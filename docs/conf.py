@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from pathlib import Path
-
-from sphinx.application import Sphinx
 
 import covey
 
@@ -27,6 +24,7 @@ extensions = [
     "sphinx_copybutton",
     "sphinx_design",
     "sphinx_gallery.gen_gallery",
+    "docstrings",
     "keys",
     "mathml",
     "messages",
@@ -85,19 +83,3 @@ nitpick_ignore_regex = [
     ("py:.*", r"covey\.(bounds|model|planning|players|simulation)\..*"),
     ("py:.*", r"covey\.\w+\.\w+\..*"),
 ]
-
-
-def name_aliases(*event: object) -> tuple[object, ...]:
-    """Write the alias of a type by its name."""
-    *_, signature, returned = event
-    return _named(signature), _named(returned)
-
-
-def _named(signature: object) -> object:
-    text = re.sub(r"TypeAliasForwardRef\('(.*?)'\)", r"\1", str(signature))
-    return signature and text.replace("npt.", "")
-
-
-def setup(app: Sphinx) -> None:
-    """Connect what is done on the way."""
-    app.connect("autodoc-process-signature", name_aliases)
