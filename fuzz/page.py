@@ -20,6 +20,7 @@ SOUND = (
     {"type": "new", "choices": {"evaders": 1, "sensing": "hidden", "start": "formation"}},
     {"type": "new", "choices": {"evaders": 2, "team": "straight-away", "seed": 7}},
     {"type": "new", "choices": {"evaders": 2, "team": "smallest-danger", "pursuer_speed": 2.0}},
+    {"type": "new", "choices": {"evaders": 3, "team": "contingent", "turn_rate": 10.0}},
     {"type": "steer", "target": [0.3, -0.2]},
     {"type": "steer", "heading": 1.0},
     {"type": "steer", "target": [1e4, -1e4]},

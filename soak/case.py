@@ -27,6 +27,7 @@ SHARES = {
     "plan": 0.1,  # the plan by itself, against every sequence where these are few
     "bracket": 0.01,
     "worst case": 0.02,
+    "answers": 0.005,  # plans that answer captures, one depth after the other
 }
 """How many of the games, of those that the check is meant for, get it."""
 

@@ -33,6 +33,7 @@ class Player(NamedTuple):
     placed: bool = False  # a pursuer that has a position even where it is hidden
     keeps_plan: bool = False  # a team that flies its first plan to the end
     replans: bool = False  # a team whose later plans never promise less
+    answers: bool = False  # a team whose plans answer captures
 
 
 class Setting(NamedTuple):
@@ -104,7 +105,7 @@ def _constant_heading(generator, setting):
 def _contingent(generator, setting):
     most = 2 if len(setting.team) <= LARGEST_TREE else 0
     strategy = covey.Contingent(int(generator.integers(0, most + 1)), _interval(generator, setting))
-    return Player("contingent", strategy)
+    return Player("contingent", strategy, answers=True)
 
 
 def _known_sequence(generator, setting):

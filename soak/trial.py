@@ -15,8 +15,9 @@ from covey import simulation
 from covey.planning.guarantee import value_of_plan
 from covey.players import survival
 from covey.players.compiled import checked_settings
-from soak import legal_game
+from soak import contingent, legal_game
 from soak.case import Case, draw
+from soak.errors import difference, exactly, largest_fall, shortfall
 from soak.players import lasts
 from soak.same_games import differences
 
@@ -92,29 +93,31 @@ def promises(case, game):
     team, last = case.evaders, isinstance(case.objective, covey.LastCapture)
     found = {}
     if team.keeps_plan or (team.replans and last):
-        found["guarantee is kept"] = _shortfall(game.guarantee, game.survival_time)
+        found["guarantee is kept"] = shortfall(game.guarantee, game.survival_time)
         until = game.times + game.guarantees
-        found["promises never fall"] = _largest_fall(until) / float(until.max() or 1.0)
+        found["promises never fall"] = largest_fall(until) / float(until.max() or 1.0)
     expected = isinstance(case.objective, covey.ExpectedSurvival)
     if (team.keeps_plan or team.replans) and not expected:
-        found["value is kept"] = _shortfall(game.planned_value, game.value)
+        found["value is kept"] = shortfall(game.planned_value, game.value)
     if case.time_limit is None:
         # covey's own limit of time is one within which such a pursuer has captured everybody.
         in_time = game.status is not covey.GameStatus.TIME_LIMIT
-        found["a fixed order comes to its end"] = _exactly(in_time)
+        found["a fixed order comes to its end"] = exactly(in_time)
+    if team.answers:
+        found |= contingent.promises(case, game)
     return found | _assurances(case, game)
 
 
 def _assurances(case, game):
-    """The pursuer's assurance begins at the bracket, never rises, and is kept."""
+    """No plan is above the pursuer's first assurance, which never rises, and is kept."""
     if not case.pursuer.assures:
         return {}
     until, lived = game.assurances, game.times[-1]
-    upper = covey.bracket(case.team, case.disk, seed=case.seed).upper
+    planned = covey.plan(case.team, case.disk, seed=case.seed, starts=2).survival_time
     return {
-        "first assurance is the bracket's": _difference(upper, until[0]),
-        "assurance never rises": _largest_fall(-until) / float(until.max() or 1.0),
-        "done by the last assurance": _shortfall(lived, until[-1]),
+        "no plan above the first assurance": shortfall(planned, until[0]),
+        "assurance never rises": largest_fall(-until) / float(until.max() or 1.0),
+        "done by the last assurance": shortfall(lived, until[-1]),
     }
 
 
@@ -124,7 +127,7 @@ def played_again(case, game):
     again = covey.simulate(case.team, case.disk, **players, **settings)
     outcome = survival(case.team, case.disk, **players, **settings)
     same = all(map(np.array_equal, outcome, game.outcome()))
-    return {"the same game twice": _exactly(differences(game, again) == [] and same)}
+    return {"the same game twice": exactly(differences(game, again) == [] and same)}
 
 
 def played_both_ways(case, game):
@@ -133,7 +136,7 @@ def played_both_ways(case, game):
         return {}
     settings = checked_settings(case.team, case.disk, **case.settings())
     other = simulation.play(case.team, case.disk, **_players(case), settings=settings)
-    return {"compiled and Python games agree": _exactly(differences(game, other) == [])}
+    return {"compiled and Python games agree": exactly(differences(game, other) == [])}
 
 
 def promise_of_a_row(case, game):
@@ -155,7 +158,7 @@ def promise_of_a_row(case, game):
     )
     found = covey.guaranteed_survival(team, disk, game.evader_turns[row, numbers])
     until, recorded = game.times[row] + found.time, game.times[row] + game.guarantees[row]
-    return {"promise of a row": _difference(until, recorded)}
+    return {"promise of a row": difference(until, recorded)}
 
 
 def plan_by_itself(case, game):
@@ -164,17 +167,15 @@ def plan_by_itself(case, game):
     plan = covey.plan(team, disk, objective=objective, seed=case.seed, starts=3)
     fewer = covey.plan(team, disk, objective=objective, seed=case.seed, starts=1)
     found = {
-        "value of a plan": _difference(
-            value_of_plan(team, disk, plan.turns, objective), plan.value
-        ),
-        "more starts never give less": _shortfall(fewer.value, plan.value),
+        "value of a plan": difference(value_of_plan(team, disk, plan.turns, objective), plan.value),
+        "more starts never give less": shortfall(fewer.value, plan.value),
     }
     guarantee = covey.guaranteed_survival(team, disk, plan.turns).time
-    found["survival time of a plan"] = _difference(guarantee, plan.survival_time)
+    found["survival time of a plan"] = difference(guarantee, plan.survival_time)
     if len(team) <= BRUTE_FORCE:
         orders = itertools.permutations(range(len(team)))
         ends = [covey.capture_times(team, disk, plan.turns, order)[-1] for order in orders]
-        found["least of all sequences"] = _difference(min(ends), plan.survival_time)
+        found["least of all sequences"] = difference(min(ends), plan.survival_time)
     return found
 
 
@@ -188,9 +189,9 @@ def bracketed(case, game):
     agile = covey.Team(team.positions, team.headings, team.speeds, math.inf)
     announced = covey.plan_for_sequence(agile, disk, found.sequence)
     return {
-        "lower end below the upper": _shortfall(found.lower, found.upper),
-        "another plan below the upper end": _shortfall(other.survival_time, found.upper),
-        "plans below an announced sequence": _shortfall(
+        "lower end below the upper": shortfall(found.lower, found.upper),
+        "another plan below the upper end": shortfall(other.survival_time, found.upper),
+        "plans below an announced sequence": shortfall(
             max(found.lower, other.survival_time), announced.survival_time
         ),
     }
@@ -208,8 +209,8 @@ def worst_case(case, game):
     players["pursuer"] = covey.FixedSequence(worst.sequence)
     same = survival(case.team, case.disk, **players, **settings)
     return {
-        "worst case above the promise": _shortfall(same.planned_value, worst.value),
-        "worst case is a game": _difference(worst.value, same.value),
+        "worst case above the promise": shortfall(same.planned_value, worst.value),
+        "worst case is a game": difference(worst.value, same.value),
     }
 
 
@@ -220,6 +221,7 @@ CHECKS = {
     "plan": plan_by_itself,
     "bracket": bracketed,
     "worst case": worst_case,
+    "answers": contingent.plans,
 }
 
 
@@ -255,22 +257,3 @@ class _Clock:
 
 def _players(case):
     return {"evaders": case.evaders.strategy, "pursuer": case.pursuer.strategy}
-
-
-def _shortfall(promised, reached):
-    """How far a value stays below what was promised, relative to that; NaN if one of them is."""
-    if promised == 0.0 or reached >= promised:
-        return 0.0
-    return float((promised - reached) / promised)
-
-
-def _difference(one, other):
-    return abs(one - other) / max(one, other) if one != other else 0.0
-
-
-def _largest_fall(values):
-    return float(-np.diff(values).min(initial=0.0))
-
-
-def _exactly(condition):
-    return 0.0 if condition else math.inf

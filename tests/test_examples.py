@@ -36,6 +36,16 @@ def test_first_game(capsys):
 
 def test_own_strategy(capsys):
     lines, _ = run("own_strategy.py", capsys)
-    assert [line.split(":")[0] for line in lines[:2]] == ["nearest_first", "committed"]
-    nearest_first, committed, guaranteed = map(last_number, lines)
-    assert nearest_first > committed >= guaranteed
+    survived = {}
+    for line in lines:
+        names, numbers = line.split(": ")
+        survived[names], guaranteed = map(float, re.findall(r"\d+\.\d+", numbers))
+        if names.startswith("iterative"):
+            assert survived[names] >= guaranteed - PRINTED
+    assert [*survived] == [
+        f"{team} against {pursuer}"
+        for team in ("away", "iterative-open-loop")
+        for pursuer in ("nearest_first", "committed")
+    ]
+    for team in ("away", "iterative-open-loop"):
+        assert survived[f"{team} against committed"] < survived[f"{team} against nearest_first"]

@@ -65,12 +65,12 @@ def test_contains_the_bracket_of_what_is_harder_for_the_team(seed, count):
     """A turn limit, a disk and a reach lower both ends, or leave them."""
     team, disk = agile_game(np.random.default_rng(seed), count, radius=0.1, capture_radius=0.02)
     point = covey.PursuerDisk(disk.center)
-    free = covey.bracket(team, point)
+    free = covey.bracket(team, point, depth=0)
     slow = covey.Team(team.positions, team.headings, 0.25, 1.0)
-    harder = covey.bracket(slow, disk)
+    harder = covey.bracket(slow, disk, depth=0)
     assert_in_order(harder, slow, disk)
     assert harder.upper <= free.upper
-    assert covey.bracket(slow, point).upper == free.upper
+    assert covey.bracket(slow, point, depth=0).upper <= free.upper
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -152,6 +152,21 @@ def test_an_evader_almost_as_fast_as_the_pursuer_is_bounded_too():
 def test_an_evader_almost_as_fast_and_where_the_pursuer_is_is_captured_at_once():
     team = covey.Team([[0.0, 0.0]], [0.0], 1.0 - 1e-9, math.inf)
     assert covey.bracket(team, covey.PursuerDisk()).upper == 0.0
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_takes_the_better_plan_and_says_which(seed):
+    team, disk = random_game(np.random.default_rng(seed), 4)
+    found = covey.bracket(team, disk, seed=seed)
+    ends = {
+        "OPEN_LOOP": found.plan.survival_time,
+        "CONTINGENT": found.contingent.with_delays.survival_time,
+    }
+    assert found.lower == ends[found.lower_by.name] == max(ends.values())
+    assert_in_order(found, team, disk)
+    alone = covey.bracket(team, disk, depth=0, seed=seed)
+    assert alone.contingent is None
+    assert (alone.lower, alone.upper) == (found.plan.survival_time, found.upper)
 
 
 def test_rejects_an_evader_as_fast_as_the_pursuer():

@@ -207,6 +207,20 @@ def test_draw_saves_a_picture(record, arguments, capsys):
     assert matplotlib.image.imread(arguments[2], format="png").std() > 0.01
 
 
+def test_a_drawn_tree_answers_as_many_captures_as_was_asked_for(scenario, monkeypatch):
+    drawn, draw_contingent = [], views.draw_contingent
+
+    def noted(tree):
+        drawn.append(tree.depth)
+        return draw_contingent(tree)
+
+    monkeypatch.setattr(views, "draw_contingent", noted, raising=False)
+    for depth in (["--depth", "1"], []):
+        arguments = ["draw", "three.toml", "-o", "picture.png", "--view", "tree", *depth]
+        assert main(arguments) == 0
+    assert drawn == [1, 2]
+
+
 def few_frames(monkeypatch, animate=views.animate):
     def quick(game, **look):
         return animate(game, seconds=0.2, **look)

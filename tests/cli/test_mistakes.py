@@ -95,6 +95,10 @@ def test_all_mistakes_of_a_file_are_printed_under_its_name(capsys):
             "draw one.toml -o a.png --view plan --record a.parquet",
             "--record: the view plan plays no game",
         ),
+        (
+            "draw one.toml -o a.png --view plan --depth 1",
+            "--depth: expected the view tree, got plan",
+        ),
         ("simulate one.toml -o game", "game: expected a name that ends in .parquet for the"),
         (
             "simulate one.toml -o one.toml/a.parquet",

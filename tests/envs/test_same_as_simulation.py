@@ -22,6 +22,7 @@ SEEDS = range(6)
 TEAMS = [
     TEAM,
     covey.OpenLoop(starts=4),
+    covey.Contingent(depth=1),
     covey.ConstantHeading(starts=2, restarts=1),
     covey.KnownSequence(replan_time=0.5),
     covey.LargestDistance(replan_time=0.2),

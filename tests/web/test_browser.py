@@ -189,6 +189,15 @@ def test_another_start_is_another_one_also_after_fig3(open_page):
     tab.see("Press on the board to start")
 
 
+def test_a_team_that_answers_captures_has_at_most_eight_evaders(open_page):
+    tab = open_page("?team=contingent&evaders=10&capture_radius=0.1")
+    assert tab.heard["game"]["choices"]["evaders"] == 8
+    tab.page.get_by_role("combobox", name="The team").select_option("open-loop")
+    tab.wait(lambda: tab.heard["game"]["choices"]["team"] == "open-loop")
+    slider = tab.page.get_by_role("slider", name="Evaders")
+    assert slider.get_attribute("max") == "10"
+
+
 def test_nonsense_in_the_address_is_answered(browser, server):
     tab = Tab(browser, f"{server.address}/?evaders=3&seed=99999999999&colour=red")
     tab.see("seed")

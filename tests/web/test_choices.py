@@ -65,6 +65,7 @@ def test_the_page_offers_every_team():
         {"sensing": "blind"},
         {"team": "committed"},
         {"start": "fig3", "evaders": 4},
+        {"team": "contingent", "evaders": 9},
         {"seed": -1},
         {"seed": 2**31},
         {"colour": "red"},

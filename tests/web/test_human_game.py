@@ -110,6 +110,21 @@ def test_the_score_sets_the_person_beside_the_best_pursuer(sensing):
     assert score.above >= -1e-9
 
 
+def test_the_committed_pursuer_is_stopped_once_it_is_not_the_best(monkeypatch):
+    games = []
+
+    def noted(*arguments, **options):
+        games.append(covey.simulate(*arguments, **options))
+        return games[-1]
+
+    monkeypatch.setattr(human_game, "simulate", noted)
+    reference = HumanGame(Choices(evaders=4, seed=0, team="contingent")).reference
+    in_order, committed = games
+    assert reference is in_order
+    assert committed.status is covey.GameStatus.TIME_LIMIT
+    assert committed.times[-1] == pytest.approx(in_order.survival_time)
+
+
 def test_no_reference_survives_the_assured_time():
     visible = HumanGame(Choices(evaders=4, seed=6))
     assert visible.reference.survival_time <= visible.assurance * (1.0 + 1e-9)

@@ -1,7 +1,8 @@
 """Bounds on what any team can guarantee, whatever its strategy.
 
-Read `fixed_sequence` with `root_search`, then `announced_sequence` and `polygon_bound`, then
-`bracket`, which joins them, and `candidates`, which compares sequences as a game goes on.
+Read `fixed_sequence` with `root_search`, then `announced_sequence`, `polygon_bound` with
+`reachable_hull`, and `upper_end`, then `bracket`, which joins them, and `candidates`, which
+compares sequences as a game goes on.
 `two_evaders` stands alone: the true value of one small game.
 """
 

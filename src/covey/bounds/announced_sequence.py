@@ -34,11 +34,18 @@ class _Prefix(NamedTuple):
 def best_announcement(
     team: Team, disk: PursuerDisk, known: Iterable[tuple[int, ...]]
 ) -> SequencePlan:
-    """Find a sequence with an early last capture, although the team knows the sequence.
+    """Return the first of `announcements`: the best sequence found, and the team's answer."""
+    return announcements(team, disk, known)[0]
+
+
+def announcements(
+    team: Team, disk: PursuerDisk, known: Iterable[tuple[int, ...]]
+) -> list[SequencePlan]:
+    """Find sequences with an early last capture, although the team knows the sequence.
 
     A beam search on a grid of headings picks the finalists. They and the `known` sequences are
-    compared exactly. The result need not be the best: the value of every sequence is an upper bound
-    of the game's value.
+    compared exactly. The first need not be the best of all sequences: the value of every sequence
+    is an upper bound of the game's value.
 
     Parameters
     ----------
@@ -49,13 +56,13 @@ def best_announcement(
 
     Returns
     -------
-    SequencePlan
-        The sequence, and the team's best answer to it.
+    list of SequencePlan
+        The sequences with the team's best answers to them, the earliest last capture first.
     """
     values = sequences_on_grid(team, disk)
     finalists = sorted(values, key=lambda sequence: values[sequence])[:_FINALISTS]
     plans = [plan_for_sequence(team, disk, sequence) for sequence in {*finalists, *known}]
-    return min(plans, key=lambda plan: (plan.survival_time, plan.sequence))
+    return sorted(plans, key=lambda plan: (plan.survival_time, plan.sequence))
 
 
 def sequences_on_grid(team: Team, disk: PursuerDisk) -> dict[tuple[int, ...], float]:

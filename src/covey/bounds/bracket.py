@@ -2,22 +2,35 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
+from enum import StrEnum
 
-from covey.bounds.announced_sequence import best_announcement
-from covey.bounds.fixed_sequence import SequencePlan, plan_for_sequence
-from covey.bounds.polygon_bound import last_capture_bound
+import numpy as np
+
+from covey.bounds.upper_end import with_turn_limits, without_turn_limits
 from covey.model import PursuerDisk, Team
-from covey.model.angles import unit_vectors
 from covey.model.display import html_table, one_line
 from covey.model.validation import Floats, read_only
 from covey.model.value import Value
+from covey.planning import ContingentPlan, Plan, plan, plan_contingent
 from covey.planning.guarantee import about_center
-from covey.planning.open_loop import Plan, plan
 
-_MAX_IMPROVEMENTS = 8
-"""Improvements of the pursuer's start in its disk, at most."""
+_DEPTHS = {6: 2, 7: 2, 8: 1, 9: 1}
+"""Captures that the contingent plan of larger teams answers by default: about a second's work."""
+
+
+class LowerEnd(StrEnum):
+    """What guarantees the lower end of a bracket."""
+
+    OPEN_LOOP = "open-loop plan"
+    CONTINGENT = "contingent plan"
+
+
+class UpperEndKind(StrEnum):
+    """How the pursuer of the upper end of a bracket is sure of its time."""
+
+    AGILE = "announced sequence, against evaders that turn at once"
+    TURN_LIMITS = "announced sequence, against evaders with their turn rates"
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,12 +40,18 @@ class Bracket(Value):
     Attributes
     ----------
     lower : float
-        The guaranteed survival time of `plan`.
+        Guaranteed by `plan`, or by `contingent` with delays: the larger of both.
+    lower_by : LowerEnd
+        Which of both it is.
     upper : float
-        No strategy guarantees more, even if the team sees the pursuer and turns at once: a pursuer
-        that announces `sequence` has captured everybody by this time.
+        No strategy guarantees more, even if the team sees the pursuer: a pursuer that announces
+        `sequence` has captured everybody by this time.
+    upper_by : UpperEndKind
+        Whether that holds for evaders that turn at once, or needs the turn limits.
     plan : Plan
-        The open-loop plan that guarantees `lower`.
+        The open-loop plan.
+    contingent : ContingentPlan or None
+        The plan that answers captures; None if none were to be answered.
     sequence : tuple of int
         The capture sequence whose value is `upper`.
     start : numpy.ndarray
@@ -40,29 +59,46 @@ class Bracket(Value):
     """
 
     lower: float
+    lower_by: LowerEnd
     upper: float
+    upper_by: UpperEndKind
     plan: Plan
+    contingent: ContingentPlan | None
     sequence: tuple[int, ...]
     start: Floats
 
     def __repr__(self) -> str:
-        """Return both bounds, and the sequence of the upper one, in one line."""
-        return one_line("Bracket", lower=self.lower, upper=self.upper, sequence=self.sequence)
+        """Return both bounds, and what they are due to, in one line."""
+        return one_line("Bracket", **self._facts())
 
     def _repr_html_(self) -> str:
-        row = {"lower": self.lower, "upper": self.upper, "sequence": self.sequence}
-        return html_table("Bracket", {name: [value] for name, value in row.items()})
+        return html_table("Bracket", {name: [value] for name, value in self._facts().items()})
+
+    def _facts(self) -> dict[str, object]:
+        names = ("lower", "lower_by", "upper", "upper_by", "sequence")
+        return {name: getattr(self, name) for name in names}
 
 
-def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None = None) -> Bracket:
+def bracket(
+    team: Team,
+    disk: PursuerDisk,
+    *,
+    depth: int | None = None,
+    seed: int = 0,
+    starts: int | None = None,
+) -> Bracket:
     """Bracket the true value of the game from below and above.
 
     Parameters
     ----------
     team, disk
         The state of the game; up to 20 evaders, each slower than the pursuer.
+    depth
+        How many captures the contingent plan answers, see `covey.plan_contingent`; 0: there is no
+        such plan. None: as many as take about a second, which is all for up to five evaders, two
+        for six and seven, one for eight and nine, and none for more.
     seed, starts
-        Of the search for the plan, see `covey.plan`.
+        Of the search for the open-loop plan, see `covey.plan`; the seed also of the contingent one.
 
     Returns
     -------
@@ -76,15 +112,20 @@ def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None 
 
     Notes
     -----
-    The upper bound is the fixed-sequence value for unlimited turn rates, the least over the
-    sequences that a search visits. A pursuer that keeps to a sequence, and flies to each evader
-    with the line of sight at a constant bearing, captures the last one no later, whatever the
-    evaders do (docs/decisions/0006).
+    The lower end is the better guarantee of the two plans. That of the contingent plan counts with
+    delays, up to the resolution of their search (docs/decisions/0015).
+
+    The upper end is the earlier of two. Each is an upper bound of the fixed-sequence value, the
+    least over the sequences that a search visits: a pursuer that keeps to a sequence, and flies to
+    each evader with the line of sight at a constant bearing, captures the last one no later,
+    whatever the evaders do. The first end takes all evaders to turn at once (docs/decisions/0006).
+    The second one knows their turn rates (docs/decisions/0017): its pursuer begins with a straight
+    flight while the evaders still turn.
 
     The fixed-sequence value is a maximum over headings. Each call proves that no higher maximum was
-    missed: the bound is computed at the corners of polygons that contain all velocities. In 700
-    random games of three and five evaders it exceeded the maximum found by less than 1e-11,
-    relative.
+    missed: the bound is computed at the corners of polygons that contain all that the evaders can
+    reach. For evaders that turn at once it exceeded the maximum found by less than 1e-11, relative,
+    in 700 random games of three and five evaders.
 
     Every start in the disk gives a bound. The bounding pursuer starts at the best position that a
     few improvements find. It uses the capture radius ρ for the last capture only. Before that it
@@ -99,39 +140,33 @@ def bracket(team: Team, disk: PursuerDisk, *, seed: int = 0, starts: int | None 
        salesman game problem", Cybernetics and Systems Analysis 46 (2010).
     """
     found = plan(team, disk, seed=seed, starts=starts)
+    depth = _depth(len(team)) if depth is None else depth
+    tree = plan_contingent(team, disk, depth, seed=seed) if depth != 0 else None
+    lower, lower_by = found.survival_time, LowerEnd.OPEN_LOOP
+    if tree is not None and tree.with_delays.survival_time > lower:
+        lower, lower_by = tree.with_delays.survival_time, LowerEnd.CONTINGENT
     center = disk.center
     team, disk = about_center(team, disk)
-    agile = Team(team.positions, team.headings, team.speeds, math.inf)
-    point = PursuerDisk(disk.center, disk.radius, disk.speed)
-    announced = best_announcement(agile, point, found.critical_sequences[:2])
-    start, announced = _from_best_start(agile, disk, announced)
+    end, upper_by = (
+        without_turn_limits(team, disk, found.critical_sequences[:2]),
+        UpperEndKind.AGILE,
+    )
+    if not np.isinf(team.turn_rates).all():
+        limited = with_turn_limits(team, disk)
+        if limited.time < end.time:
+            end, upper_by = limited, UpperEndKind.TURN_LIMITS
     return Bracket(
-        lower=found.survival_time,
-        upper=last_capture_bound(agile, start, announced),
+        lower=lower,
+        lower_by=lower_by,
+        upper=end.time,
+        upper_by=upper_by,
         plan=found,
-        sequence=announced.sequence,
-        start=read_only(center + start.center),
+        contingent=tree,
+        sequence=end.sequence,
+        start=read_only(center + end.start),
     )
 
 
-def _from_best_start(
-    team: Team, disk: PursuerDisk, announced: SequencePlan
-) -> tuple[PursuerDisk, SequencePlan]:
-    """Return the pursuer at a good position in its disk, and the team's best answer.
-
-    The pursuer moves to the point nearest to the first capture and the team answers, until the last
-    capture comes no earlier.
-    """
-    best: tuple[PursuerDisk, SequencePlan] | None = None
-    for _ in range(_MAX_IMPROVEMENTS):
-        first = announced.sequence[0]
-        heading, time = announced.goal_headings[first], announced.capture_times[0]
-        goal = team.positions[first] + team.speeds[first] * time * unit_vectors(heading)
-        start = PursuerDisk(disk.nearest_point(goal), 0.0, disk.speed, disk.capture_radius)
-        point = PursuerDisk(start.center, 0.0, disk.speed)
-        announced = plan_for_sequence(team, point, announced.sequence)
-        if best is not None and announced.survival_time >= best[1].survival_time:
-            break
-        best = start, announced
-    assert best is not None
-    return best
+def _depth(n: int) -> int:
+    """Return how many captures are answered by default."""
+    return n - 1 if n <= 5 else _DEPTHS.get(n, 0)

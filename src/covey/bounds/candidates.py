@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from covey.bounds.announced_sequence import sequences_on_grid
-from covey.bounds.polygon_bound import SPARSE, bound_near
+from covey.bounds.polygon_bound import SPARSE, Opening, bound_near
 from covey.kernels.maximum.announced_sequences import FLIGHT, raise_lower_bounds
 from covey.model import PursuerDisk, Team
 from covey.planning.guarantee import pursuit_of
@@ -50,6 +50,7 @@ class Candidates:
         others, and those that are above a bound that is proven already.
         """
         pursuit = pursuit_of(PursuerDisk(disk.center, 0.0, disk.speed, disk.capture_radius))
+        team = Team(team.positions, team.headings, team.speeds, math.inf)
         evaders = team.as_rows()
         raise_lower_bounds(
             evaders, pursuit, cutoff, self._orders, self._headings, self._lower, self._flights
@@ -65,5 +66,6 @@ class Candidates:
     def _bound(self, row: int, team: Team, disk: PursuerDisk) -> float:
         """Return the proven bound of a sequence, and keep the headings that attain it."""
         sequence, headings = self.sequences[row], self._headings[row]
-        bound, self._headings[row] = bound_near(team, disk, sequence, headings, SPARSE)
+        opening = Opening(0.0, disk.center)
+        bound, self._headings[row] = bound_near(team, disk, sequence, headings, SPARSE, opening)
         return bound

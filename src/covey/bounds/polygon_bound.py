@@ -1,9 +1,10 @@
 """A proven bound on how late the last capture in a known sequence can come.
 
-The evaders' velocities lie in disks. The maximum over all flights, curved, slow and wavering ones
-included, is at most the maximum over the corners of polygons around these disks
-(docs/decisions/0006). The bound is tight because the corners are dense around the best headings
-known, and then around the headings at which the bound is attained.
+What each evader can reach is bounded by polygons. The maximum over all flights, curved, slow and
+wavering ones included, is at most the maximum over the flights of the polygons' corners
+(docs/decisions/0006 for evaders that turn at once, 0016 for limited turn rates). The bound is tight
+because the corners are dense around the best headings known, and then around the headings at which
+the bound is attained.
 """
 
 from __future__ import annotations
@@ -16,6 +17,8 @@ from typing import NamedTuple
 import numpy as np
 
 from covey.bounds.fixed_sequence import SequencePlan
+from covey.bounds.reachable_hull import Corners, corners_of
+from covey.kernels.capture.path import sample
 from covey.kernels.maximum.fixed_sequence import first_captures, next_captures
 from covey.model import PursuerDisk, Team
 from covey.model.angles import unit_vectors, wrap_angle
@@ -44,6 +47,13 @@ _MAX_CENTERS = 5
 _FULL_TURN = 2.0 * math.pi
 
 
+class Opening(NamedTuple):
+    """A straight flight with which the pursuer begins, whatever the evaders do."""
+
+    time: float
+    end: Floats  # (2,) where the pursuer is at that time
+
+
 def last_capture_bound(team: Team, disk: PursuerDisk, plan: SequencePlan) -> float:
     """Bound the last capture in a known sequence from above, whatever the evaders do.
 
@@ -61,67 +71,127 @@ def last_capture_bound(team: Team, disk: PursuerDisk, plan: SequencePlan) -> flo
     float
         A time by which the last evader is captured.
     """
-    return bound_near(team, disk, plan.sequence, plan.goal_headings, DENSE)[0]
+    opening = Opening(0.0, disk.center)
+    return bound_near(team, disk, plan.sequence, plan.goal_headings, DENSE, opening)[0]
+
+
+def first_capture(team: Team, disk: PursuerDisk, plan: SequencePlan) -> Floats:
+    """Return where (2,) the first capture of a plan happens."""
+    place = np.empty((1, 1, 2))
+    first = plan.sequence[0]
+    path = paths_of(team, disk, plan.turns)[first : first + 1]
+    sample(path, plan.capture_times[:1], place)
+    first_place: Floats = place[0, 0]
+    return first_place
+
+
+def opening_towards(team: Team, disk: PursuerDisk, plan: SequencePlan, time: float) -> Opening:
+    """Return the opening of a pursuer that flies towards the first capture of a plan."""
+    way = first_capture(team, disk, plan) - disk.center
+    length = float(np.hypot(*way))
+    share = disk.speed * time / length if length > 0.0 else 0.0
+    return Opening(time, disk.center + share * way)
 
 
 def bound_near(
-    team: Team, disk: PursuerDisk, sequence: tuple[int, ...], headings: Floats, spacing: Spacing
+    team: Team,
+    disk: PursuerDisk,
+    sequence: tuple[int, ...],
+    headings: Floats,
+    spacing: Spacing,
+    opening: Opening,
 ) -> tuple[float, Floats]:
     """Return the bound for a sequence, and headings (N,) near which the maximum is.
 
     As `last_capture_bound`; it is expected near `headings` (N,). The corners have the `spacing`.
+    After its `opening` the pursuer flies to each evader with the line of sight at a constant
+    bearing.
     """
     right = _tangents(float(team.speeds.max()) / disk.speed, spacing)
     if len(right) == 0:
         return longest_game(team, disk), headings
+    known = _turn_limits_known(team, disk, sequence, opening)
     bound, centers = math.inf, headings[np.newaxis, :]
     for _ in range(_MAX_CENTERS):
-        corners, stretch = _corners(right, centers)
-        latest, attained = _latest_at_corners(team, disk, sequence, corners, stretch)
+        corners = corners_of(team, _touching(right, centers), known, opening.time)
+        latest, attained = _latest_at_corners(team, disk, sequence, corners, known, opening)
         bound = min(bound, latest)
         off = np.abs(wrap_angle(centers - attained)).min(axis=0)
-        if off[list(sequence[:-1])].max(initial=0.0) < spacing.closest:
+        if off.max() < spacing.closest:
             break
         centers = np.vstack([centers, attained])
     return bound, attained
 
 
-def _latest_at_corners(
-    team: Team, disk: PursuerDisk, sequence: tuple[int, ...], headings: Floats, stretch: Floats
-) -> tuple[float, Floats]:
-    """Return the latest last capture over all corners, and the headings (N,) that attain it.
+def _turn_limits_known(
+    team: Team, disk: PursuerDisk, sequence: tuple[int, ...], opening: Opening
+) -> Floats:
+    """Return the times (N,) before which no evader can be the pursuer's target.
 
-    Corner velocities have the directions `headings` (N, corners) and are `stretch` (N, corners)
-    times as fast as the evader. The last evader's heading is not searched for: its first corner's
-    stands there.
+    Until then the turn limit of an evader counts. A capture at T of evader i, from x_i, has
+    |x_i - p| <= v_i T + v_p (T - t) if the pursuer was at p at the time t.
     """
+    known, time = np.full(len(team), opening.time), opening.time
+    meeting = disk.speed + team.speeds
+    to_opening = np.hypot(*(team.positions - opening.end).T) + disk.speed * opening.time
+    for previous, i in itertools.pairwise(sequence):
+        known[i] = time = max(time, to_opening[previous] / meeting[previous])
+        gap = float(np.hypot(*(team.positions[i] - team.positions[previous])))
+        time = max(time, (gap + (disk.speed - team.speeds[previous]) * time) / meeting[i])
+    return np.where(np.isinf(team.turn_rates), opening.time, known)
+
+
+def _latest_at_corners(
+    team: Team,
+    disk: PursuerDisk,
+    sequence: tuple[int, ...],
+    corners: Corners,
+    known: Floats,
+    opening: Opening,
+) -> tuple[float, Floats]:
+    """Return the latest last capture over all corners, and the headings (N,) that attain it."""
     *others, last = sequence
-    attained = headings[:, 0].copy()
-    times, positions = np.zeros(1), disk.center[np.newaxis, :]
-    predecessor = np.empty(headings.shape, np.int64)
+    attained = np.empty(len(team))
+    count = corners.headings.shape[1]
+    times, positions = np.zeros(1), opening.end[np.newaxis, :]
+    predecessor = np.empty(corners.headings.shape, np.int64)
     if others:
-        corners = headings.shape[1]
-        evader = np.repeat(np.arange(len(team)), corners)
-        speeds = team.speeds[evader] * stretch.ravel()
-        to_corners = Team(team.positions[evader], headings.ravel(), speeds, math.inf)
-        paths = paths_of(to_corners, disk, np.zeros(len(to_corners)))
-        pursuit, times = pursuit_of(PursuerDisk(disk.center, 0.0, disk.speed)), np.empty(corners)
+        flights = Team(
+            corners.positions.reshape(-1, 2),
+            corners.headings.ravel(),
+            corners.speeds.ravel(),
+            math.inf,
+        )
+        point = PursuerDisk(opening.end, 0.0, disk.speed)
+        paths, pursuit = paths_of(flights, point, np.zeros(len(flights))), pursuit_of(point)
+        times = np.empty(count)
         first_captures(paths, pursuit, others[0], times)
         for previous, i in itertools.pairwise(others):
-            earlier, times = times, np.empty(corners)
+            earlier, times = times, np.empty(count)
             next_captures(paths, pursuit, previous, i, earlier, times, predecessor[i])
-        before_last = to_corners.take(np.flatnonzero(evader == others[-1]))
-        flown = (before_last.speeds * times)[:, np.newaxis] * unit_vectors(before_last.headings)
-        positions = before_last.positions + flown
-    # The last evader flees straight from the capture before its own, at its own speed.
-    gaps = np.hypot(*(team.positions[last] - positions).T) - disk.capture_radius
-    fled = (disk.speed * times + gaps) / (disk.speed - team.speeds[last])
-    ends = np.maximum(fled, times)
+        positions = _after(corners, others[-1], times)
+    # The last evader is taken to turn at once from the time on at which it becomes the target.
+    places = _after(corners, last, np.full(count, known[last] - opening.time))
+    away = places[np.newaxis] - positions[:, np.newaxis]
+    distances = np.hypot(away[..., 0], away[..., 1])
+    farthest = distances.argmax(axis=1)
+    gaps = distances.max(axis=1) - disk.capture_radius
+    fled = gaps + team.speeds[last] * (times + opening.time - known[last])
+    ends = times + np.maximum(fled / (disk.speed - team.speeds[last]), 0.0)
     corner = int(ends.argmax())
     latest = float(ends[corner])
+    x, y = away[corner, farthest[corner]]
+    attained[last] = math.atan2(y, x)
     for i in reversed(others):
-        attained[i], corner = headings[i, corner], predecessor[i, corner]
-    return latest, attained
+        attained[i], corner = corners.headings[i, corner], predecessor[i, corner]
+    return opening.time + latest, attained
+
+
+def _after(corners: Corners, i: int, times: Floats) -> Floats:
+    """Return the positions (C, 2) of evader i's corners after `times` (C,)."""
+    flown = (corners.speeds[i] * times)[:, np.newaxis] * unit_vectors(corners.headings[i])
+    after: Floats = corners.positions[i] + flown
+    return after
 
 
 @lru_cache(maxsize=64)
@@ -140,15 +210,11 @@ def _tangents(ratio: float, spacing: Spacing) -> Floats:
     return read_only(np.array([*tangents[:-1], math.pi]))
 
 
-def _corners(right: Floats, centers: Floats) -> tuple[Floats, Floats]:
-    """Return directions and distances (N, corners) of the corners of polygons around unit disks.
+def _touching(right: Floats, centers: Floats) -> list[Floats]:
+    """Return for each evader the directions, rising within a full turn, of its tangents.
 
-    The polygons touch the disks in the directions `right` (T,) to both sides of all `centers`
-    (C, N).
+    They are `right` (T,) to both sides of all `centers` (C, N).
     """
     offsets = np.concatenate([-right[:-1], right])
-    touching = np.sort(
-        (centers.T[:, :, np.newaxis] + offsets).reshape(len(centers.T), -1) % _FULL_TURN
-    )
-    around = np.hstack([touching, touching[:, :1] + _FULL_TURN])
-    return 0.5 * (around[:, 1:] + around[:, :-1]), 1.0 / np.cos(0.5 * np.diff(around))
+    around = centers.T[:, :, np.newaxis] + offsets
+    return list(np.sort(around.reshape(len(around), -1) % _FULL_TURN))

@@ -69,9 +69,15 @@ class Scenario(Value):
         """Return the plan for the last capture that answers captures, see `plan_contingent`."""
         return plan_contingent(self.team, self.disk, depth, seed=self.seed)
 
-    def bracket(self) -> Bracket:
-        """Return the plan for the last capture, and what no team could be sure to exceed."""
-        return bracket(self.team, self.disk, seed=self.seed, starts=self._starts)
+    def bracket(self, depth: int | None = None) -> Bracket:
+        """Return plans for the last capture, and what no team could be sure to exceed.
+
+        Parameters
+        ----------
+        depth
+            How many captures are answered, see `covey.bracket`.
+        """
+        return bracket(self.team, self.disk, depth=depth, seed=self.seed, starts=self._starts)
 
     def worst_case(self, delays: Sequence[float] = (0.0,)) -> WorstCase:
         """Return the least survival time of the team's strategy against a hidden pursuer."""

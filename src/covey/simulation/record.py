@@ -7,11 +7,15 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from covey.model import PursuerDisk, Team
 from covey.model.display import brief, html_table, one_line
 from covey.model.units import counted, titled, with_unit
 from covey.model.validation import Floats, Ints
 from covey.model.value import Value
+from covey.simulation.data_frame import data_frame
+from covey.simulation.time_series import time_series
 
 
 class GameStatus(StrEnum):
@@ -175,6 +179,21 @@ class Game(Value):
             titled("time", self.team.units.time): self.capture_times.tolist(),
         }
         return html_table(repr(self), columns)
+
+    def columns(self) -> dict[str, Any]:
+        """Return the columns (T,) of the game's table by their names, evader_0_x for example."""
+        columns: dict[str, Any] = {}
+        for field, series in time_series(len(self.team)).items():
+            names = np.ravel(series.columns).tolist()
+            columns |= dict(zip(names, getattr(self, field).reshape(-1, len(names)).T, strict=True))
+        return columns
+
+    def to_pandas(self) -> Any:
+        """Return the course of the game as a pandas data frame; pandas must be installed.
+
+        A row is an update or a capture. The columns are those of the file that `save_game` writes.
+        """
+        return data_frame(self.columns())
 
     def outcome(self) -> Outcome:
         """Return what came of the game, without its course."""

@@ -85,7 +85,7 @@ def write_game(game: Game, file: BinaryIO) -> None:
     import pyarrow.parquet as pq
 
     header = _header(game)
-    table = pa.table({name: pa.array(column) for name, column in columns_of(game).items()})
+    table = pa.table({name: pa.array(column) for name, column in game.columns().items()})
     notes = {_KEY: header, _CHECKSUM_KEY: _checksum(header, table)}
     # Neighbouring floats share their high bytes, which a split by byte lays side by side.
     pq.write_table(
@@ -95,15 +95,6 @@ def write_game(game: Game, file: BinaryIO) -> None:
         use_dictionary=False,
         use_byte_stream_split=True,
     )
-
-
-def columns_of(game: Game) -> dict[str, Any]:
-    """Return the columns (T,) of a record's table by their names."""
-    columns: dict[str, Any] = {}
-    for field, series in time_series(len(game.team)).items():
-        names = np.ravel(series.columns).tolist()
-        columns |= dict(zip(names, getattr(game, field).reshape(-1, len(names)).T, strict=True))
-    return columns
 
 
 def load_game(path: str | os.PathLike[str]) -> Game:

@@ -12,6 +12,7 @@ from covey.model import PursuerDisk, Team
 from covey.model.validation import Floats
 from covey.players import (
     ConstantHeading,
+    Contingent,
     IterativeOpenLoop,
     LargestDistance,
     OpenLoop,
@@ -23,11 +24,15 @@ from covey.scenarios.samplers import Formation, Sampler, Square
 from covey.simulation import TeamStrategy
 
 _REPLAN_TIME = 0.05
-"""Of teams that plan in Python, which takes up to some 10 ms."""
+"""Of teams that plan in Python, which takes up to some 20 ms."""
+
+MOST_ANSWERING = 8
+"""Evaders that answer captures, at most: their first plan takes a second, that of 10 up to four."""
 
 _TEAMS: dict[str, TeamStrategy] = {
     "iterative-open-loop": IterativeOpenLoop(),
     "open-loop": OpenLoop(),
+    "contingent": Contingent(depth=1, replan_time=_REPLAN_TIME),
     "constant-heading": ConstantHeading(replan_time=_REPLAN_TIME),
     "largest-distance": LargestDistance(replan_time=_REPLAN_TIME),
     "smallest-danger": SmallestDanger(replan_time=_REPLAN_TIME),
@@ -55,6 +60,7 @@ class Choices(BaseModel):
     team: Literal[
         "iterative-open-loop",
         "open-loop",
+        "contingent",
         "constant-heading",
         "largest-distance",
         "smallest-danger",
@@ -67,6 +73,15 @@ class Choices(BaseModel):
     def _count_fits_start(self) -> Self:
         if self.start == "fig3" and self.evaders != _FIG3_EVADERS:
             raise ValueError(f"the start of Fig. 3 has {_FIG3_EVADERS} evaders, got {self.evaders}")
+        return self
+
+    @model_validator(mode="after")
+    def _count_fits_team(self) -> Self:
+        if self.team == "contingent" and self.evaders > MOST_ANSWERING:
+            raise ValueError(
+                f"a team that answers captures has at most {MOST_ANSWERING} evaders, "
+                f"got {self.evaders}"
+            )
         return self
 
     def game(self) -> tuple[Team, PursuerDisk]:

@@ -13,6 +13,8 @@ from hypothesis import strategies as st
 
 import covey
 from covey.bounds.polygon_bound import last_capture_bound
+from covey.bounds.upper_end import without_turn_limits
+from covey.planning.guarantee import about_center
 from covey.players.pursuers.parallel_approach import after_flight, approaches
 from random_games import fleeing, games, random_game
 
@@ -28,10 +30,15 @@ def roaming(seed):
     return lambda situation: generator.uniform(-math.pi, math.pi, len(situation.evaders))
 
 
+def upper_end(team, disk):
+    """What the pursuer can be sure of: it takes the evaders to turn at once."""
+    return without_turn_limits(*about_center(team, disk), known=())
+
+
 def answering(situation):
     """Flies the best answer to the sequence that is best to announce, anew at every update."""
     point = covey.PursuerDisk(situation.disk.center, 0.0, situation.disk.speed)
-    order = covey.bracket(situation.team, point, starts=1).sequence
+    order = upper_end(situation.team, point).sequence
     goals = covey.plan_for_sequence(situation.team, point, order).goal_headings
     return covey.turns_to(situation.team, goals)
 
@@ -63,7 +70,7 @@ def test_everybody_is_captured_by_an_assurance_that_never_rises(name, sensing):
         )
         game = play(team, disk, TEAMS[name](seed), sensing, update_time=0.1, seed=seed)
         assert game.status is covey.GameStatus.ALL_CAPTURED
-        assert game.assurance == pytest.approx(covey.bracket(team, disk, seed=seed).upper, rel=1e-9)
+        assert game.assurance == pytest.approx(upper_end(team, disk).time, rel=1e-9)
         assert (game.assurances[1:] <= game.assurances[:-1] * (1.0 + ROUNDING)).all()
         assert game.survival_time <= game.assurances[-1] * (1.0 + ROUNDING)
         assert game.guarantee <= game.assurance
@@ -73,7 +80,7 @@ def test_everybody_is_captured_by_an_assurance_that_never_rises(name, sensing):
 @given(games(fastest=0.8), st.sampled_from(sorted(TEAMS)), st.integers(0, 99))
 def test_whatever_the_unit_the_speeds_and_the_places(game, name, seed):
     team, disk, _ = game
-    unit = covey.bracket(team, disk, seed=seed, starts=1).upper or 1.0
+    unit = upper_end(team, disk).time or 1.0
     played = play(team, disk, TEAMS[name](seed), update_time=unit / 5, time_limit=2.0 * unit)
     assert played.survival_time <= played.assurances[-1] * (1.0 + ROUNDING)
     assert (played.assurances[1:] <= played.assurances[:-1] * (1.0 + ROUNDING)).all()
@@ -266,5 +273,5 @@ def test_seven_evaders_are_compared_by_the_search_too():
 def test_hidden_it_keeps_its_sequence():
     team, disk = random_game(np.random.default_rng(2), 4, radius=0.1)
     game = play(team, disk, covey.IterativeOpenLoop(), "hidden", update_time=0.05)
-    assert tuple(game.capture_sequence) == covey.bracket(team, disk).sequence
+    assert tuple(game.capture_sequence) == upper_end(team, disk).sequence
     assert set(game.assurances) == {game.assurance}

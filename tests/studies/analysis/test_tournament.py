@@ -159,7 +159,7 @@ def test_what_is_no_study_has_no_picture(tmp_path, capsys):
     assert main(["draw", str(tmp_path), "--output", picture]) == 2
     assert "expected the results of a study" in capsys.readouterr().err
     assert main(["draw", str(tmp_path / "plain"), "--output", picture, "--view", "game"]) == 2
-    assert "--view, --record, --times and --seed are for games" in capsys.readouterr().err
+    assert "--view, --depth, --record, --times and --seed are for games" in capsys.readouterr().err
 
 
 def test_the_picture_shows_every_ratio_once():

@@ -46,6 +46,10 @@ def draw(
             "default a film if the output is one, else snapshots."
         ),
     ] = None,
+    depth: Annotated[
+        int | None,
+        Parameter(help="With --view tree: how many captures are answered; by default all."),
+    ] = None,
     record: Annotated[
         Path | None,
         Parameter(help="Save the record of the game that was played here, before it is drawn."),
@@ -79,22 +83,29 @@ def draw(
     """
     look = _look(title, size)
     if Path(file).is_dir():
-        if (view, record, times, seed) != (None, None, None, None):
+        if any(option is not None for option in (view, depth, record, times, seed)):
             raise covey.InputError(
-                f"{file}: --view, --record, --times and --seed are for games; it is a folder"
+                f"{file}: --view, --depth, --record, --times and --seed are for games, and it is a "
+                "folder"
             )
         _draw_study(Path(file), output, look)
         return
     chosen = _checked_view(view, output)
     if times is not None:
-        if chosen != "snapshots":
-            raise covey.InputError(f"--times: expected the view snapshots, got {chosen}")
+        _require_view("--times", "snapshots", chosen)
         look["times"] = times
+    if depth is not None:
+        _require_view("--depth", "tree", chosen)
     source = read_scenario_or_game(file, seed)
     if chosen in ("plan", "tree"):
-        _draw_plan(source, chosen, output, record, look)
+        _draw_plan(source, chosen, depth, output, record, look)
     else:
         _draw_game(source, chosen, output, record, look)
+
+
+def _require_view(option: str, needed: View, chosen: View) -> None:
+    if chosen != needed:
+        raise covey.InputError(f"{option}: expected the view {needed}, got {chosen}")
 
 
 def _look(title: str | None, size: float | None) -> dict[str, Any]:
@@ -131,6 +142,7 @@ def _checked_view(view: View | None, output: Path) -> View:
 def _draw_plan(
     source: covey.Scenario | covey.Game,
     view: View,
+    depth: int | None,
     output: Path,
     record: Path | None,
     look: Mapping[str, Any],
@@ -144,7 +156,7 @@ def _draw_plan(
             "with which plan it began"
         )
     if view == "tree":
-        figure = views.draw_contingent(source.plan_contingent(), **look)
+        figure = views.draw_contingent(source.plan_contingent(depth), **look)
     else:
         figure = views.draw_plan(source.plan(), **look)
     print_saved(views.save(figure, output))

@@ -37,7 +37,7 @@ def plan(
     Every evader turns once, at its full rate, and then flies straight. The guaranteed survival
     time holds against any pursuer in the disk, whatever it does; the critical sequences are the
     orders of capture by which it would come closest. Beside it stands a time that no team could be
-    sure to exceed, whatever its strategy, even if it saw the pursuer and turned at once. Where
+    sure to exceed, whatever its strategy, even if it saw the pursuer. Where
     [game] names another objective, the plan is for that one, and stands alone.
 
     A contingent plan also holds the turns that those left begin when an evader has been captured.
@@ -63,7 +63,7 @@ def plan(
             f"{objective.describe()['name']}; leave [game] objective out"
         )
     with waiting("planning"):
-        bracket = scenario.bracket() if last_capture else None
+        bracket = scenario.bracket(depth=0) if last_capture else None
         found = scenario.plan() if bracket is None else bracket.plan
         tree = scenario.plan_contingent(depth) if contingent else None
         if tree is not None:

@@ -7,11 +7,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from covey.bounds import bracket, plan_for_sequence
+from covey.bounds import plan_for_sequence
 from covey.bounds.candidates import Candidates
 from covey.bounds.polygon_bound import last_capture_bound
+from covey.bounds.upper_end import without_turn_limits
 from covey.model import PursuerDisk, Team
 from covey.planning import capture_times
+from covey.planning.guarantee import about_center
 from covey.players.pursuers.parallel_approach import after_flight, approaches
 from covey.simulation import Chase, Fly, PursuerPolicy, Situation
 
@@ -27,8 +29,8 @@ class AssuredPursuer:
     constant bearing, has captured everybody by a time that no flight of the evaders puts off: the
     fixed-sequence value for unlimited turn rates (docs/decisions/0006). This pursuer computes
     that time at every update, for the sequence that it follows and for all that may be better. It
-    takes another sequence only if that one is proven to be better. So its assurance never rises;
-    the first is the upper end of `covey.bracket`. `Game.assurances` records it.
+    takes another sequence only if that one is proven to be better. So its assurance never rises.
+    `Game.assurances` records it.
 
     Notes
     -----
@@ -36,7 +38,7 @@ class AssuredPursuer:
     announced plans. Up to six evaders all sequences are compared; with more, those that a beam
     search finds.
 
-    A visible pursuer that begins in a disk starts at the best point that `covey.bracket` finds. A
+    A visible pursuer that begins in a disk starts at the best point that a few improvements find. A
     hidden pursuer that the rules know as a disk only can't be steered: it keeps to the first
     sequence, and its first assurance holds. The game is taken to be about the last capture,
     whatever the objective is.
@@ -55,9 +57,9 @@ class AssuredPursuer:
         """Return the name, as a scenario file gives it."""
         return {"name": "assured"}
 
-    def start(self, seed: int) -> PursuerPolicy:
+    def start(self, seed: int) -> PursuerPolicy:  # noqa: ARG002 nothing is drawn
         """Return the policy of one game."""
-        return _AssuredPolicy(seed)
+        return _AssuredPolicy()
 
 
 class _AssuredPolicy:
@@ -65,8 +67,7 @@ class _AssuredPolicy:
 
     in_any_frame = True
 
-    def __init__(self, seed: int) -> None:
-        self._seed = seed
+    def __init__(self) -> None:
         self._sequence: tuple[int, ...] = ()  # by evader number, of the living
         self._assurance = math.inf
         self._candidates: Candidates | None = None
@@ -88,19 +89,20 @@ class _AssuredPolicy:
         return self._follow(situation)
 
     def _begin(self, situation: Situation) -> Chase | Fly:
-        """Announce the sequence of the bracket, or one that assures the same."""
-        found = bracket(situation.team, situation.pursuer, seed=self._seed)
-        self._sequence = tuple(situation.evaders[row] for row in found.sequence)
-        self._assurance = situation.time + found.upper
+        """Announce the best sequence that is found, or one that assures the same."""
+        end = without_turn_limits(*about_center(situation.team, situation.pursuer), known=())
+        start = situation.pursuer.center + end.start
+        self._sequence = tuple(situation.evaders[row] for row in end.sequence)
+        self._assurance = situation.time + end.time
         if situation.place is None and not situation.chooses_start:
             return Chase(self._sequence, self._assurance)
-        started = replace(situation, place=found.start)
+        started = replace(situation, place=start)
         lowest, highest = ((1.0 + off) * self._assurance for off in (-_EQUAL, _EQUAL))
         proven = self._proven(started, highest) | {self._sequence: self._assurance}
         self._take_earliest(proven, lowest, highest, started)
         decision = self._follow(started)
         if isinstance(decision, Fly) and situation.chooses_start:
-            x, y = (found.start - situation.disk.center).tolist()
+            x, y = (start - situation.disk.center).tolist()
             return replace(decision, offset=(x, y))
         return decision
 

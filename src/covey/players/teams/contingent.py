@@ -66,13 +66,21 @@ class Contingent(ReplanningTeam):
         """Return the policy of one game."""
         return in_any_frame(super().start(seed))
 
-    def planner(self, seed: int) -> TeamPolicy:
+    def planner(self, seed: int) -> Flight:
         """Return the function that makes the plans of one game."""
-        return _Flight(self.depth, seed)
+        return Flight(self.depth, seed)
 
 
-class _Flight:
-    """The plans of one game: the tree that is flown, and the branches that limit it."""
+class Flight:
+    """The plans of one game: the tree that is flown, and the branches that limit it.
+
+    Attributes
+    ----------
+    promise : float
+        How long from now on the tree guarantees survival, if captures happen as early as they can.
+    """
+
+    promise: float
 
     def __init__(self, depth: int | None, seed: int) -> None:
         self._most, self._seed = depth, seed
@@ -93,14 +101,15 @@ class _Flight:
         while self._depth < (n - 1 if self._most is None else min(self._most, n - 1)):
             self._tree = deepened(moment, self._depth, self._tree)
             self._depth += 1
-        self._tree = ascend(moment, self._depth, self._tree, self._branches).turns
+        found = ascend(moment, self._depth, self._tree, self._branches)
+        self._tree, self.promise = found.turns, found.value
         return self._tree[:n].copy()
 
     def _begin(self, situation: Situation) -> Floats:
         """Make the first plan."""
         first = plan_contingent(situation.team, situation.disk, self._most, seed=self._seed)
         self._living, self._depth = situation.evaders, first.depth
-        self._tree = first.node.turns.copy()
+        self._tree, self.promise = first.node.turns.copy(), first.survival_time
         self._branches = new_branches(len(self._living))
         return np.array(first.turns)
 

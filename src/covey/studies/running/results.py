@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from covey.model import InputError
 from covey.model.units import counted
+from covey.simulation.data_frame import frame_of_table
 from covey.studies.design.case import GRID
 from covey.studies.running.manifest import NAME, extent_of, read_manifest
 from covey.studies.running.parts import DamagedPartError, read_part
@@ -104,7 +105,7 @@ class StudyResult:
 
     def to_pandas(self) -> Any:
         """Return all games as a pandas data frame; pandas must be installed."""
-        return self.games.to_pandas()
+        return frame_of_table(self.games)
 
     def parts(self) -> Iterator[pa.Table]:
         """Return the table of games part by part, for studies larger than the memory."""

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from covey.simulation import Game
-from covey.simulation.storage import columns_of
 from covey.simulation.strategy import description
 from covey.studies.design.case import GRID, Case
 from covey.studies.design.study import Study
@@ -101,7 +100,7 @@ def trajectories_table(study: Study, games: Iterable[StudyGame]) -> pa.Table:
 def _trajectory(number: int, record: Game, size: int) -> pa.Table:
     import pyarrow as pa
 
-    rows, columns = len(record.times), columns_of(record)
+    rows, columns = len(record.times), record.columns()
     arrays = {
         name: pa.array(columns[name].astype(np.float32))
         if name in columns

@@ -1,5 +1,7 @@
 // The form of choices. The page's address holds the choices, so a game can be shared.
 
+const MOST_EVADERS = 10, MOST_ANSWERING = 8; // of a team that answers captures
+
 const DEFAULTS = {
   evaders: 5, speed: 0.25, pursuer_speed: 1, turn_rate: 1.57, capture_radius: 0.03,
   sensing: "visible", team: "iterative-open-loop", start: "random", seed: 1,
@@ -31,6 +33,7 @@ export class Choices {
   }
 
   show(values) {
+    this.limitEvaders(values.team);
     for (const [name, value] of Object.entries(values)) {
       const field = this.form.elements[name];
       if (field) field.value = value;
@@ -38,8 +41,13 @@ export class Choices {
     this.label();
   }
 
+  limitEvaders(team) {
+    this.form.elements.evaders.max = team === "contingent" ? MOST_ANSWERING : MOST_EVADERS;
+  }
+
   // Numbers beside their sliders; Fig. 3 has five evaders and no seed to place them.
   label() {
+    this.limitEvaders(this.form.elements.team.value);
     const fig3 = this.form.elements.start.value === "fig3";
     if (fig3) this.form.elements.evaders.value = 5;
     this.form.elements.evaders.disabled = fig3;

@@ -1,0 +1,110 @@
+"""What no team can exceed: a pursuer that announces its sequence, and how it best begins."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from covey.bounds.announced_sequence import announcements
+from covey.bounds.fixed_sequence import SequencePlan, plan_for_sequence
+from covey.bounds.polygon_bound import (
+    DENSE,
+    SPARSE,
+    Opening,
+    bound_near,
+    first_capture,
+    opening_towards,
+)
+from covey.model import PursuerDisk, Team
+from covey.model.validation import Floats
+
+_MAX_IMPROVEMENTS = 8
+"""Improvements of the pursuer's start in its disk, at most."""
+
+_FINALISTS = 2
+"""Sequences, the best against the team's own turn limits, whose proven bounds are compared."""
+
+_SHARES = (0.0, 0.35, 0.65, 0.8, 0.9)
+"""Times of the opening flights that are compared, over the time of the first capture expected."""
+
+
+class UpperEnd(NamedTuple):
+    """A time by which a pursuer has captured everybody, whatever the team does, and how."""
+
+    time: float
+    sequence: tuple[int, ...]
+    start: Floats  # (2,) where it starts in its disk
+
+
+class _Candidate(NamedTuple):
+    """A sequence, the team's answer to it, and how the pursuer begins."""
+
+    plan: SequencePlan
+    disk: PursuerDisk  # where it starts: a point
+    opening: Opening
+
+
+def without_turn_limits(
+    team: Team, disk: PursuerDisk, known: Iterable[tuple[int, ...]]
+) -> UpperEnd:
+    """Return the end that holds even if all evaders turn at once.
+
+    The pursuer announces the best of the `known` sequences and of those that a search visits.
+    """
+    agile = Team(team.positions, team.headings, team.speeds, math.inf)
+    return _best(agile, disk, announcements(agile, _without_reach(disk), known)[:1], (0.0,))
+
+
+def with_turn_limits(team: Team, disk: PursuerDisk) -> UpperEnd:
+    """Return the end that holds for evaders with the team's turn rates.
+
+    The pursuer begins with a straight flight towards the first capture that it expects, for the
+    best of several times.
+    """
+    return _best(team, disk, announcements(team, _without_reach(disk), ())[:_FINALISTS], _SHARES)
+
+
+def _best(
+    team: Team, disk: PursuerDisk, plans: Iterable[SequencePlan], shares: tuple[float, ...]
+) -> UpperEnd:
+    """Return the earliest proven end, with openings of these shares of the first capture time."""
+    candidates = [
+        _Candidate(plan, start, opening_towards(team, start, plan, share * plan.capture_times[0]))
+        for start, plan in (_from_best_start(team, disk, plan) for plan in plans)
+        for share in shares
+    ]
+    if len(candidates) > 1:
+        candidates = [min(candidates, key=lambda each: _bound(team, each, sparse=True))]
+    best = candidates[0]
+    return UpperEnd(_bound(team, best, sparse=False), best.plan.sequence, best.disk.center)
+
+
+def _bound(team: Team, candidate: _Candidate, *, sparse: bool) -> float:
+    plan, disk, opening = candidate
+    spacing = SPARSE if sparse else DENSE
+    return bound_near(team, disk, plan.sequence, plan.goal_headings, spacing, opening)[0]
+
+
+def _without_reach(disk: PursuerDisk) -> PursuerDisk:
+    return PursuerDisk(disk.center, disk.radius, disk.speed)
+
+
+def _from_best_start(
+    team: Team, disk: PursuerDisk, announced: SequencePlan
+) -> tuple[PursuerDisk, SequencePlan]:
+    """Return the pursuer at a good position in its disk, and the team's best answer.
+
+    The pursuer moves to the point nearest to the first capture and the team answers, until the last
+    capture comes no earlier.
+    """
+    best: tuple[PursuerDisk, SequencePlan] | None = None
+    for _ in range(_MAX_IMPROVEMENTS):
+        goal = first_capture(team, disk, announced)
+        start = PursuerDisk(disk.nearest_point(goal), 0.0, disk.speed, disk.capture_radius)
+        announced = plan_for_sequence(team, _without_reach(start), announced.sequence)
+        if best is not None and announced.survival_time >= best[1].survival_time:
+            break
+        best = start, announced
+    assert best is not None
+    return best
