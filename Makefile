@@ -56,7 +56,7 @@ format: $(READY) ## Format the code and mend what can be mended by rule
 docs: $(DOCS_READY) ## Build the documentation in build/docs (DOCS=folder for another)
 	@$(BIN)/python -m covey warmup
 	@rm -rf docs/generated
-	$(BIN)/python -m sphinx -b html -d build/doctrees -j auto -E -W --keep-going -q docs $(or $(DOCS),build/docs)
+	$(BIN)/python -m sphinx -b html -d build/doctrees -E -W --keep-going -q docs $(or $(DOCS),build/docs)
 
 $(DOCS_READY): $(READY) requirements/docs.txt
 	@$(BIN)/python $(PINNED) -r requirements/docs.txt
