@@ -2,14 +2,14 @@
 A small tournament
 ==================
 
-Two teams against three pursuers: mean survival times, relative to the first team.
+Four teams against three pursuers: mean survival times, relative to the first team.
 """
 
 import tempfile
 
 import covey
 
-teams = ["iterative-open-loop", "straight-away"]
+teams = ["iterative-open-loop", "open-loop", "straight-away", "hold-course"]
 pursuers = ["committed", "nearest-first", "best-sequence"]
 study = covey.Study(
     starts=20, team_size=[2, 3], sensing="hidden", update_time=0.05, evaders=teams, pursuer=pursuers
