@@ -28,6 +28,7 @@ extensions = [
     "keys",
     "mathml",
     "messages",
+    "notebooks",
     "shell",
 ]
 exclude_patterns = ["_ext", "_templates", "gallery", "generated/gallery/*.ipynb"]
