@@ -46,6 +46,7 @@ def make_app(served: str = "127.0.0.1") -> ASGIApp:
     app = Starlette(
         routes=[
             WebSocketRoute("/play", _play),
+            WebSocketRoute("/{other:path}", WebSocketClose()),  # a Mount takes no WebSocket
             Mount("/", StaticFiles(directory=_FOLDER, html=True)),
         ],
     )
