@@ -10,7 +10,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import covey
-from covey.bounds.polygon_bound import DENSE, SPARSE, bound_near, opening_towards
+from covey.bounds.polygon_bound import (
+    DENSE,
+    SPARSE,
+    Opening,
+    bound_near,
+    opening_towards,
+    turn_limits_known,
+)
 from covey.bounds.upper_end import earliest_end
 from covey.planning.guarantee import about_center
 from flights import ConstantBearing, fly
@@ -79,6 +86,30 @@ def test_no_team_outlives_it(seed, share):
 
     for turning in (answer, as_planned(plan), waver, roam):
         assert survived(team, disk, plan, opening, turning) <= bound * (1.0 + 1e-9)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_nobody_is_the_target_before_its_turn_limit_is_dropped(seed):
+    """Not even in a team that flies towards the pursuer's way, to be captured soon."""
+    generator = np.random.default_rng(seed)
+    team, disk = random_game(generator, 3)
+    team = covey.Team(team.positions, team.headings, generator.uniform(0.1, 0.8, 3), 1e4)
+    sequence = tuple(generator.permutation(3).tolist())
+    opening = Opening(0.0, disk.center)
+    known = turn_limits_known(team, disk, sequence, opening)
+    pursuer, positions = ConstantBearing(opening.end, 1.0, sequence), team.positions
+    while pursuer.left:
+        target = pursuer.left[0]
+        goals = np.where(np.arange(3)[:, np.newaxis] == target, pursuer.place, positions[target])
+        off = goals - positions
+        length = np.hypot(*off.T)[:, np.newaxis]
+        step = np.minimum(team.speeds[:, np.newaxis] * 1e-3, length)
+        after = positions + step * off / np.maximum(length, 1e-300)
+        pursuer.follow(positions, after, 1e-3)
+        positions = after
+    targets = dict(zip(sequence, [0.0, *pursuer.captures], strict=False))
+    assert all(known[i] <= time + 1e-9 for i, time in targets.items())
+    assert known[sequence[-1]] >= 0.6 * targets[sequence[-1]]
 
 
 @pytest.mark.parametrize("seed", range(4))
