@@ -13,7 +13,7 @@ from covey.views.games.capture_labels import Captures, label_captures
 from covey.views.games.prediction import Prediction, predict
 from covey.views.games.tree import draw_contingent
 from covey.views.kit.close_up import close_up, fitting_scale
-from covey.views.kit.layout import Sheet, camera_around, single_map
+from covey.views.kit.layout import camera_around, single_map
 from covey.views.kit.markers import (
     CENTER,
     EVADERS,
@@ -23,6 +23,7 @@ from covey.views.kit.markers import (
     draw,
     draw_disk,
 )
+from covey.views.kit.page import Sheet
 from covey.views.kit.point_labels import number_and_time
 from covey.views.kit.sampling import joined, rim, sampled
 from covey.views.kit.style import COLUMN_WIDTH, styled
