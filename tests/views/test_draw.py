@@ -12,6 +12,8 @@ from matplotlib.figure import Figure
 
 import covey
 from covey import views
+from covey.bounds.bracket import LowerEnd
+from covey.scenarios.examples import TEMPLATE
 from covey.views.kit.close_up import fitting_scale
 from random_games import random_game
 from views.drawn_artists import boxes, labels, points
@@ -81,12 +83,17 @@ def test_every_drawing_takes_axes_a_title_and_a_width(name):
     assert {"ax", "title", "width"} <= inspect.signature(getattr(views, name)).parameters.keys()
 
 
-def test_a_bracket_names_both_bounds():
-    bracket = made("bracket")
-    (axes,) = covey.draw(bracket).axes
-    title = axes.get_title(loc="left")
-    assert f"{bracket.lower:.2f}" in title
-    assert f"{bracket.upper:.2f}" in title
+@pytest.mark.parametrize("depth", [0, 1])
+def test_a_bracket_shows_the_plan_that_guarantees_most_and_names_both_bounds(depth):
+    scenario = covey.load_scenario(TEMPLATE)  # whose team gains much by answers
+    bracket = covey.bracket(scenario.team, scenario.disk, starts=2, depth=depth)
+    figure = covey.draw(bracket)
+    above = [axes.get_title(loc="left") for axes in figure.axes]
+    above += [text.get_text() for text in figure.texts]
+    both = f"sure of {bracket.lower:.0f} s; nobody of more than {bracket.upper:.0f} s"
+    assert both in above
+    assert bracket.lower_by is (LowerEnd.CONTINGENT if depth else LowerEnd.OPEN_LOOP)
+    assert len(figure.axes) == (1 + len(scenario.team) if depth else 1)
 
 
 @pytest.mark.parametrize("other", [None, 3, TEAM, "fig3"])

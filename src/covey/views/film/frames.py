@@ -12,7 +12,8 @@ from covey.simulation import Game
 from covey.views.games.scene import draw_legend, draw_numbers, draw_scene, extent
 from covey.views.games.snapshot import Snapshot, end_of, snapshot_at, trajectories
 from covey.views.kit.close_up import fitting_scale
-from covey.views.kit.layout import Sheet, camera_around, margins, name_axes, new_page, set_view
+from covey.views.kit.layout import camera_around, margins, name_axes, set_view
+from covey.views.kit.page import Sheet, new_page
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
 

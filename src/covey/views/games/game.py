@@ -18,7 +18,7 @@ from covey.views.games.snapshot import (
     trajectories,
 )
 from covey.views.kit.close_up import close_up, fitting_scale
-from covey.views.kit.layout import Sheet, camera_around, single_map
+from covey.views.kit.layout import camera_around, single_map
 from covey.views.kit.markers import (
     CAPTURED,
     DOTS,
@@ -29,6 +29,7 @@ from covey.views.kit.markers import (
     draw_disk,
     pursuer_flying,
 )
+from covey.views.kit.page import Sheet
 from covey.views.kit.point_labels import number_and_time
 from covey.views.kit.sampling import joined, rim
 from covey.views.kit.style import COLUMN_WIDTH, styled
