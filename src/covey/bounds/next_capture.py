@@ -37,10 +37,11 @@ _SLACK = 3e-3
 _FINEST = 0.1
 """Radians; a corner that stands for so much to both sides overstates the speed by 0.5 %."""
 
-_MOST_BRANCHES = 20_000
-"""Branches of one search."""
+_MOST_STEPS = 300_000
+"""Steps of dynamic programmes in all searches, a third of them in one search."""
 
-_MOST_SEARCHES = 12
+_GAIN = 1e-3
+"""Relative gain of the value by another flight, below which a coarser proof is tried."""
 
 _KEPT = 4
 """Flights, the worst ones for the weights, from which a climb begins."""
@@ -94,19 +95,20 @@ def next_capture_bound(team: Team, disk: PursuerDisk, below: float) -> NextCaptu
     for first in firsts:
         first.improve(worth)
         worth = min(worth, first.value)
-    slack = _SLACK
-    for _ in range(_MOST_SEARCHES):
+    rough, left = 1.0, _MOST_STEPS
+    while left > 0:
         best = min(firsts, key=lambda first: first.value)
-        target = best.value * (1.0 + slack)
+        value, target = best.value, best.value * (1.0 + rough * _SLACK)
         if target >= below:
             break
-        bound, attained = best.bound(target)
+        bound, attained, steps = best.bound(target, min(rough, 2.0) * _FINEST)
         if bound <= target:
             return best.as_result(bound)
-        if not best.add(attained):
-            slack *= 1.5
-            continue
-        best.improve(below)
+        left -= steps
+        if best.add(attained):
+            best.improve(below)
+        if best.value < value * (1.0 + _GAIN):
+            rough *= 1.5
     return None
 
 
@@ -168,13 +170,15 @@ class _First:
         """
         while self.value < enough:
             worst = sorted(self._flights, key=lambda flight: -float(self._weights @ flight.values))
-            if not any([self.add(flight.headings) for flight in worst[:_KEPT]]):
+            new = [self.add(flight.headings) for flight in worst[:_KEPT]]
+            if not any(new):
                 break
 
-    def bound(self, target: float) -> tuple[float, Floats]:
-        """Return a bound of the mean if it is at most the target.
+    def bound(self, target: float, finest: float) -> tuple[float, Floats, int]:
+        """Return a bound of the mean if it is at most the target; corners are as fine as `finest`.
 
-        Else a time above the target, and headings (N,) at which the mean may exceed it.
+        Else a time above the target, and headings (N,) at which the mean may exceed it. Returns
+        also how many steps of dynamic programmes that took.
         """
         used = np.flatnonzero(self._weights > _NO_WEIGHT)
         weights = self._weights[used] / self._weights[used].sum()
@@ -184,10 +188,12 @@ class _First:
             self._evaders[sequence], self._pursuit, place[self._orders[used]], weights
         )
         scratch = _new_scratch(len(sequence), len(used), self._corners)
+        steps = len(used) * (len(sequence) - 2)  # of a branch
         headings = self._away[sequence]
         branches = _new_branches(len(sequence), len(used), self._ratio)
-        bound = mixture_bound(mixture, target, branches, headings, scratch)
-        return bound, headings[place]
+        branches = branches._replace(finest=finest, most=_MOST_STEPS // (3 * steps))
+        bound, bounded = mixture_bound(mixture, target, branches, headings, scratch)
+        return bound, headings[place], bounded * steps
 
     def _by_disagreement(self, used: Ints, weights: Floats) -> Ints:
         """Return the evaders (N,), the first one and then those that the orders pull apart most.
@@ -244,7 +250,7 @@ def _new_branches(n: int, orders: int, ratio: float) -> Branches:
     return Branches(
         corners,
         _FINEST,
-        _MOST_BRANCHES,
+        0,
         np.zeros(stack, np.int64),
         np.zeros((stack, n)),
         np.zeros((stack, n)),

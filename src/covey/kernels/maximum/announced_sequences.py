@@ -15,8 +15,8 @@ from covey.kernels.capture.path import SPEED, X, Y
 from covey.kernels.capture.pursuit import GrowingDisk, Pursuit
 from covey.kernels.capture.straight_legs import capture_on_line
 
-# A flight of the pursuer is a row (direction, closing speeds on the evader ahead and behind, gradient
-# of the last capture by the position of the evader ahead).
+# A flight of the pursuer is a row (direction, closing speeds on the evader ahead and behind,
+# gradient of the last capture by the position of the evader ahead).
 TOWARDS_X, TOWARDS_Y, AHEAD, BEHIND, GRADIENT_X, GRADIENT_Y = range(6)
 FLIGHT = 6
 

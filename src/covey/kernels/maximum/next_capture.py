@@ -181,9 +181,7 @@ def _local_maximum(mixture: Mixture, disk: GrowingDisk, s: int, scratch: Mixture
     """Return the last capture in an order from `here`, at the best headings; write its gradient."""
     programme, headings = scratch.programme, scratch.headings[s]
     reach, order = mixture.pursuit.first_radius, mixture.orders[s]
-    latest_at_corners(
-        scratch.departed, scratch.departures, disk, reach, order, headings, programme
-    )
+    latest_at_corners(scratch.departed, scratch.departures, disk, reach, order, headings, programme)
     _copy_attained(order, programme, headings)
     latest = _refine(mixture, disk, s, _SETTLED, scratch)
     turn_along_gradient(order, headings, scratch.flights)
@@ -254,8 +252,8 @@ def _mean_bound(mixture: Mixture, disk: GrowingDisk, scratch: MixtureScratch) ->
 @entry
 def mixture_bound(
     mixture: Mixture, target: float, branches: Branches, attained: Vector, scratch: MixtureScratch
-) -> float:
-    """Return an upper bound of the mean over the orders, whatever the evaders do.
+) -> tuple[float, int]:
+    """Return an upper bound of the mean over the orders, and how many branches were bounded.
 
     1. Bound the mean where the pursuer starts from the first evader: below it the mean need not be
        quasi-convex in the velocities.
@@ -280,15 +278,16 @@ def mixture_bound(
     Returns
     -------
     float
-        The bound if it is at most the target. Else the target may be exceeded, at `attained`; inf
-        if the branches were used up.
+        Whatever the evaders do, the mean is at most this if this is at most the target. Else the
+        target may be exceeded, at `attained`; inf if the branches were used up.
+    int
     """
     bound = _from_first_evader(mixture, scratch)
     half = math.pi / branches.corners
     used = _push(branches, 0, branches.corners, 0, 0.0, half, scratch)
-    for _ in range(branches.most):
+    for bounded in range(branches.most):
         if bound > target or used == 0:
-            return bound
+            return bound, bounded
         used -= 1
         fixed = branches.fixed[used]
         value = _branch_bound(mixture, branches, used, scratch)
@@ -302,8 +301,8 @@ def mixture_bound(
             used = _push(branches, used, branches.corners, fixed + 1, 0.0, half, scratch)
         else:
             _copy(scratch.directions, attained)
-            return value
-    return math.inf
+            return value, bounded + 1
+    return math.inf, branches.most
 
 
 @compiled
@@ -320,9 +319,7 @@ def _from_first_evader(mixture: Mixture, scratch: MixtureScratch) -> float:
 
 
 @compiled
-def _branch_bound(
-    mixture: Mixture, branches: Branches, row: int, scratch: MixtureScratch
-) -> float:
+def _branch_bound(mixture: Mixture, branches: Branches, row: int, scratch: MixtureScratch) -> float:
     """Return an upper bound of the mean if the first evaders fly to the corners of a branch."""
     fixed = branches.fixed[row]
     for s in range(len(mixture.orders)):
