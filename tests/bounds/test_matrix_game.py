@@ -34,3 +34,9 @@ def test_matching_pennies():
     weights, value = best_weights(np.array([[2.0, 1.0], [1.0, 2.0]]))
     np.testing.assert_allclose(weights, [0.5, 0.5])
     assert value == pytest.approx(1.5)
+
+
+def test_a_column_of_zeros_is_best():
+    weights, value = best_weights(np.array([[2.0, 0.0], [1.0, 0.0]]))
+    np.testing.assert_array_equal(weights, [0.0, 1.0])
+    assert value == 0.0

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from covey.model.validation import Floats
+from covey.model.validation import Floats, Ints
 
 _TOLERANCE = 1e-12
+
+_MOST_PIVOTS = 10_000
 
 
 def best_weights(payoffs: Floats) -> tuple[Floats, float]:
@@ -15,7 +17,7 @@ def best_weights(payoffs: Floats) -> tuple[Floats, float]:
     Parameters
     ----------
     payoffs
-        (k, m) positive; the weights mix the columns.
+        (k, m), none negative; the weights mix the columns.
 
     Notes
     -----
@@ -24,25 +26,35 @@ def best_weights(payoffs: Floats) -> tuple[Floats, float]:
     cycling.
     """
     rows, columns = payoffs.shape
-    scale = payoffs.max()
+    largest = payoffs.max(axis=0)
+    if largest.min() == 0.0:
+        return np.eye(columns)[largest.argmin()], 0.0
+    scale = largest.max()
     table = np.zeros((rows + 1, columns + rows + 1))
     table[:-1, :columns] = payoffs / scale
     table[:-1, columns:-1] = np.eye(rows)
     table[:-1, -1] = 1.0
     table[-1, :columns] = -1.0
     basis = np.arange(columns, columns + rows)
-    while (table[-1, :-1] < -_TOLERANCE).any():
-        entering = int(np.argmax(table[-1, :-1] < -_TOLERANCE))
-        column = table[:-1, entering]
-        ratios = np.full(rows, np.inf)
-        np.divide(table[:-1, -1], column, out=ratios, where=column > _TOLERANCE)
-        ties = np.flatnonzero(ratios <= ratios.min())
-        leaving = int(ties[basis[ties].argmin()])
-        table[leaving] /= table[leaving, entering]
-        others = np.arange(rows + 1) != leaving
-        table[others] -= np.outer(table[others, entering], table[leaving])
-        basis[leaving] = entering
+    for _ in range(_MOST_PIVOTS):
+        improving = table[-1, :-1] < -_TOLERANCE
+        if not improving.any():
+            break
+        _pivot(table, basis, int(improving.argmax()))
     solution = np.zeros(columns + rows)
     solution[basis] = table[:-1, -1]
-    total = solution[:columns].sum()
-    return solution[:columns] / total, float(scale / total)
+    weights = solution[:columns] / solution[:columns].sum()
+    return weights, float((payoffs @ weights).max())
+
+
+def _pivot(table: Floats, basis: Ints, entering: int) -> None:
+    """Bring a variable into the basis; both are modified in place."""
+    column = table[:-1, entering]
+    ratios = np.full(len(basis), np.inf)
+    np.divide(table[:-1, -1], column, out=ratios, where=column > _TOLERANCE)
+    ties = np.flatnonzero(ratios <= ratios.min())
+    leaving = int(ties[basis[ties].argmin()])
+    table[leaving] /= table[leaving, entering]
+    others = np.arange(len(table)) != leaving
+    table[others] -= np.outer(table[others, entering], table[leaving])
+    basis[leaving] = entering

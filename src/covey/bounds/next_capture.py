@@ -193,7 +193,7 @@ class _First:
         branches = _new_branches(len(sequence), len(used), self._ratio)
         branches = branches._replace(finest=finest, most=_MOST_STEPS // (3 * steps))
         bound, bounded = mixture_bound(mixture, target, branches, headings, scratch)
-        return bound, headings[place], bounded * steps
+        return bound, headings[place], (1 + bounded) * steps
 
     def _by_disagreement(self, used: Ints, weights: Floats) -> Ints:
         """Return the evaders (N,), the first one and then those that the orders pull apart most.
