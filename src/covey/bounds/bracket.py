@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from covey.bounds.next_capture import next_capture_bound
 from covey.bounds.upper_end import earliest_end
 from covey.model import PursuerDisk, Team
 from covey.model.display import html_table, one_line
@@ -29,6 +30,7 @@ class UpperEndKind(StrEnum):
 
     AGILE = "announced sequence, against evaders that turn at once"
     TURN_LIMITS = "announced sequence, against evaders with their turn rates"
+    NEXT_CAPTURE = "announced next capture, against evaders that turn at once"
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,15 +45,16 @@ class Bracket(Value):
         Which of both it is.
     upper : float
         No strategy guarantees more, even if the team sees the pursuer: a pursuer that announces
-        `sequence` has captured everybody by this time.
+        `sequence`, or its first capture alone, has captured everybody by this time.
     upper_by : UpperEndKind
-        Whether that holds for evaders that turn at once, or needs the turn limits.
+        What the pursuer announces, and whether the end needs the turn limits.
     plan : Plan
         The open-loop plan.
     contingent : ContingentPlan or None
         The plan that answers captures; None if none were to be answered.
     sequence : tuple of int
-        The capture sequence whose value is `upper`.
+        The capture sequence that is announced. Where the first capture alone is announced, the
+        order of the others that counts most.
     start : numpy.ndarray
         (2,) the point of the disk from which that pursuer starts.
     """
@@ -113,12 +116,13 @@ def bracket(
     The lower end is the better guarantee of the two plans. That of the contingent plan counts with
     delays, up to the resolution of their search (docs/decisions/0015).
 
-    The upper end is the earlier of two. Each is an upper bound of the fixed-sequence value, the
+    The upper end is the earliest of three. Two are upper bounds of the fixed-sequence value, the
     least over the sequences that a search visits: a pursuer that keeps to a sequence, and flies to
     each evader with the line of sight at a constant bearing, captures the last one no later,
     whatever the evaders do. The first end takes all evaders to turn at once (docs/decisions/0006).
     The second one knows their turn rates (docs/decisions/0017): its pursuer begins with a straight
-    flight while the evaders still turn.
+    flight while the evaders still turn. The third pursuer announces its first capture alone, and
+    then goes on in the best order; the evaders are taken to turn at once (docs/decisions/0018).
 
     The fixed-sequence value is a maximum over headings. Each call proves that no higher maximum was
     missed: the bound is computed at the corners of polygons that contain all that the evaders can
@@ -146,14 +150,22 @@ def bracket(
     center = disk.center
     team, disk = about_center(team, disk)
     end = earliest_end(team, disk, known=found.critical_sequences[:2])
+    upper, sequence = end.time, end.sequence
+    upper_by = UpperEndKind.TURN_LIMITS if end.needs_limits else UpperEndKind.AGILE
+    start = PursuerDisk(end.start, 0.0, disk.speed, disk.capture_radius)
+    by_next = next_capture_bound(team, start, upper)
+    if by_next is not None:
+        order = by_next.orders[int(by_next.weights.argmax())]
+        upper, sequence = by_next.time, (by_next.first, *order)
+        upper_by = UpperEndKind.NEXT_CAPTURE
     return Bracket(
         lower=lower,
         lower_by=lower_by,
-        upper=end.time,
-        upper_by=UpperEndKind.TURN_LIMITS if end.needs_limits else UpperEndKind.AGILE,
+        upper=upper,
+        upper_by=upper_by,
         plan=found,
         contingent=tree,
-        sequence=end.sequence,
+        sequence=sequence,
         start=read_only(center + end.start),
     )
 

@@ -31,6 +31,9 @@ from covey.model.angles import unit_vectors
 from covey.model.validation import Floats, Ints, read_only
 from covey.planning.guarantee import pursuit_of
 
+_MOST_EVADERS = 7
+"""Larger teams take many seconds, and gain little by one capture that is left open."""
+
 _SLACK = 3e-3
 """By how much the bound may exceed the value of the best weights, relative."""
 
@@ -84,10 +87,11 @@ def next_capture_bound(team: Team, disk: PursuerDisk, below: float) -> NextCaptu
     Returns
     -------
     NextCapture or None
-        None where no bound below the known one was found, or proven.
+        None where no bound below the known one was found, or proven, and for teams of more than
+        seven.
     """
     corners = _corners(float(team.speeds.max()) / disk.speed)
-    if len(team) < 3 or len(corners) == 0:
+    if not 3 <= len(team) <= _MOST_EVADERS or len(corners) == 0:
         return None
     sequences = candidate_sequences(team, disk)
     firsts = [_First(team, disk, i, sequences, corners) for i in range(len(team))]
