@@ -50,6 +50,8 @@ def until_the_first_capture(team, disk, first, legs):
         time = min(duration, distance / (ahead - receding))
         positions = positions + time * velocities
         pursuer, now = pursuer + time * (across + ahead * along), now + time
+        if time < duration:
+            break
     return now, positions, pursuer
 
 
