@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from covey import views
 from covey.views.kit import style
-from covey.views.kit.layout import add_axes, new_figure
+from covey.views.kit.page import add_axes, new_figure
 
 _TASKS = {"warm": "warm replan", "cold": "plan from one start"}
 _LOOKS = {

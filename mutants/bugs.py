@@ -179,16 +179,30 @@ BOUNDS = (
     Bug(
         "one evader bounded from the origin",
         "bounds/polygon_bound.py",
-        "np.zeros(1), disk.center[np.newaxis, :]",
+        "np.zeros(1), opening.end[np.newaxis, :]",
         "np.zeros(1), np.zeros((1, 2))",
         "the upper bound of one evader is wrong where the disk isn't at the origin",
     ),
     Bug(
-        "first capture as an offset",
-        "bounds/bracket.py",
-        "goal = team.positions[first] + team.speeds[first]",
-        "goal = team.speeds[first]",
-        "the bounding pursuer starts on a wrong side of its disk; the bound is loose",
+        "opening towards the wrong evader",
+        "bounds/polygon_bound.py",
+        "[first : first + 1]",
+        "[:1]",
+        "the bounding pursuer begins in a wrong direction; the bound is loose",
+    ),
+    Bug(
+        "a turn that costs nothing",
+        "bounds/reachable_hull.py",
+        "radius * (off - np.sin(off))",
+        "radius * (off - off)",
+        "the upper end forgets what turning costs; the bound is loose",
+    ),
+    Bug(
+        "turn limits known for too long",
+        "bounds/polygon_bound.py",
+        "(disk.speed - team.speeds[previous]) * time",
+        "(disk.speed + team.speeds[previous]) * time",
+        "an evader is taken to turn when it turns no more; the bound may be wrong",
     ),
     Bug(
         "value at pursuer speed 1",
@@ -286,8 +300,8 @@ SCENARIOS = (
     Bug(
         "own turn rate ignored",
         "scenarios/build.py",
-        "[section.turn_rate if evader.turn_rate is None else evader.turn_rate for",
-        "[section.turn_rate for",
+        "    if evader.turn_rate is not None:\n        return evader.turn_rate\n",
+        "",
         "the turn rate of a single evader in a file has no effect",
     ),
     Bug(
@@ -469,8 +483,8 @@ CLI = (
     Bug(
         "seed ignored",
         "cli/shared/sources.py",
-        "return covey.load_scenario(path, seed=seed)",
-        "return covey.load_scenario(path)",
+        "return covey.load_scenario(name, seed=seed)",
+        "return covey.load_scenario(name)",
         "`--seed` has no effect",
     ),
     Bug(

@@ -33,6 +33,7 @@ MADE = {
     "WorstCase": lambda: covey.worst_case(team(), disk(), update_time=0.1),
     "SequencePlan": lambda: covey.plan_for_sequence(team(), disk(), [0, 1, 2]),
     "Game": lambda: covey.simulate(team(), disk(), update_time=0.1),
+    "Situation": lambda: covey.Situation(0.5, (0, 2, 3), team(), disk(), np.zeros(3)),
     "Scenario": lambda: covey.load_scenario("fig3"),
     "Study": lambda: covey.Study(turn_radius=[0.1, 0.2]),
 }
@@ -46,6 +47,8 @@ ROWS = {
     "Guarantee": 1,
     "Bracket": 1,
     "Game": 3,
+    "Scenario": 9,
+    "Study": 16,
 }
 
 
@@ -75,7 +78,8 @@ def test_a_plan_for_another_objective_tells_its_value():
 
 
 def test_the_results_of_a_study_tell_where_they_are(tmp_path):
-    result = StudyResult(tmp_path, {"games": 12})
+    result = StudyResult(tmp_path, {"games": 12, "study": {"grid": {"speed": [0.2, 0.25]}}})
+    assert "<td>speed</td><td>[0.2, 0.25]</td>" in result._repr_html_()
     assert repr(result) == f"StudyResult({str(tmp_path)!r}, 12 games)"
 
 

@@ -12,8 +12,11 @@ from matplotlib.figure import Figure
 
 import covey
 from covey import views
+from covey.bounds.bracket import LowerEnd
+from covey.scenarios.examples import TEMPLATE
+from covey.views.kit.close_up import fitting_scale
 from random_games import random_game
-from views.drawn_artists import labels, points
+from views.drawn_artists import boxes, labels, points
 from views.flown_games import simulated
 
 TEAM, DISK = random_game(np.random.default_rng(2), 3, radius=0.1)
@@ -80,12 +83,17 @@ def test_every_drawing_takes_axes_a_title_and_a_width(name):
     assert {"ax", "title", "width"} <= inspect.signature(getattr(views, name)).parameters.keys()
 
 
-def test_a_bracket_names_both_bounds():
-    bracket = made("bracket")
-    (axes,) = covey.draw(bracket).axes
-    title = axes.get_title(loc="left")
-    assert f"{bracket.lower:.2f}" in title
-    assert f"{bracket.upper:.2f}" in title
+@pytest.mark.parametrize("depth", [0, 1])
+def test_a_bracket_shows_the_plan_that_guarantees_most_and_names_both_bounds(depth):
+    scenario = covey.load_scenario(TEMPLATE)  # whose team gains much by answers
+    bracket = covey.bracket(scenario.team, scenario.disk, starts=2, depth=depth)
+    figure = covey.draw(bracket)
+    above = [axes.get_title(loc="left") for axes in figure.axes]
+    above += [text.get_text() for text in figure.texts]
+    both = f"sure of {bracket.lower:.0f} s; nobody of more than {bracket.upper:.0f} s"
+    assert both in above
+    assert bracket.lower_by is (LowerEnd.CONTINGENT if depth else LowerEnd.OPEN_LOOP)
+    assert len(figure.axes) == (1 + len(scenario.team) if depth else 1)
 
 
 @pytest.mark.parametrize("other", [None, 3, TEAM, "fig3"])
@@ -111,6 +119,27 @@ def test_a_start_that_is_small_beside_the_game_has_a_close_up():
         assert low < -8.0 < 9.0 < high < axes.get_xlim()[1]
         name = "evaders" if isinstance(x, covey.Plan) else "dots"
         assert points(inset, name) == pytest.approx(team.positions)
+
+
+def test_labels_keep_clear_of_the_close_up():
+    positions = np.random.default_rng(3).uniform(-6.0, 6.0, (8, 2))
+    team = covey.Team(positions, 0.0, 0.5)
+    (axes,) = covey.draw(covey.simulate(team, covey.PursuerDisk(), update_time=0.5)).axes
+    (inset,) = axes.child_axes
+    assert len(labels(axes)) == 8
+    for box in boxes(axes):
+        assert not box.overlaps(inset.get_window_extent())
+
+
+def test_markers_of_a_close_team_are_smaller():
+    figure = Figure()
+    axes = figure.add_subplot()
+    axes.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
+    apart = np.array([[0.1, 0.1], [0.9, 0.9]])
+    assert fitting_scale(axes, apart) == fitting_scale(axes, apart[:1]) == 1.0
+    near = np.array([[0.1, 0.1], [0.1, 0.12], [0.9, 0.9]])
+    nearer = np.array([[0.1, 0.1], [0.1, 0.1001], [0.9, 0.9]])
+    assert 1.0 > fitting_scale(axes, near) > fitting_scale(axes, nearer) > 0.5
 
 
 def test_a_start_as_wide_as_the_game_has_none():

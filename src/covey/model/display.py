@@ -26,6 +26,11 @@ def brief(value: object) -> str:
     return value.name if isinstance(value, Enum) else str(value)
 
 
+def html_facts(caption: str, facts: Mapping[str, object]) -> str:
+    """Write a table of facts, a row each."""
+    return html_table(caption, {"": facts.keys(), "value": facts.values()})
+
+
 def spread(values: Floats) -> str:
     """Write the value (N,) that all evaders have, or the least and the largest one."""
     least, largest = float(values.min()), float(values.max())

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from covey.bounds import Bracket, bracket
 from covey.model import LastCapture, Objective, PursuerDisk, Team
+from covey.model.display import html_facts
 from covey.model.value import Value
 from covey.planning import ContingentPlan, Plan, plan, plan_contingent
 from covey.players import IterativeOpenLoop, OpenLoop, WorstCase, simulate, worst_case
@@ -54,6 +55,9 @@ class Scenario(Value):
     seed: int
     time_limit: float | None
     objective: Objective | str = LastCapture()  # noqa: RUF009 frozen
+
+    def _repr_html_(self) -> str:
+        return html_facts("Scenario", vars(self))
 
     def plan(self) -> Plan:
         """Return the open-loop plan, with which a team that flies one begins the game."""

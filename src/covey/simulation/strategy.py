@@ -15,11 +15,13 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team
+from covey.model.display import one_line
 from covey.model.validation import Floats, frozen_array, shown
+from covey.model.value import Value
 
 
 @dataclass(frozen=True, eq=False)
-class Situation:
+class Situation(Value):
     """What a player knows when it decides.
 
     Attributes
@@ -70,6 +72,10 @@ class Situation:
     place: Floats | None = None
     until_update: float = math.inf
     chooses_start: bool = False
+
+    def __repr__(self) -> str:
+        """Return when it is, who is alive, and where the pursuer can be, in one line."""
+        return one_line("Situation", time=self.time, evaders=self.evaders, disk=self.disk)
 
     @property
     def pursuer(self) -> PursuerDisk:

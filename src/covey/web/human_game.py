@@ -35,14 +35,11 @@ class GameScore(NamedTuple):
     ----------
     time : float or None
         Survival time of the team against the person.
-    above : float or None
-        `time` minus the guarantee of the first plan.
     share : float
         Survival time against that pursuer over `time`: 1 is as good, 0 if `time` is None.
     """
 
     time: float | None
-    above: float | None
     share: float
 
 
@@ -117,8 +114,8 @@ class HumanGame:
         """Return the score of a game that is over."""
         game = self.record()
         if math.isinf(game.survival_time):
-            return GameScore(None, None, 0.0)
+            return GameScore(None, 0.0)
         time = game.survival_time
         # Both are 0 where everybody begins within the pursuer's reach.
         share = self.reference.survival_time / time if time > 0.0 else 1.0
-        return GameScore(time, time - game.guarantee, share)
+        return GameScore(time, share)

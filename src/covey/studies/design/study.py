@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from covey.model import LastCapture
+from covey.model.display import html_facts
 from covey.model.team import DEFAULT_TURN_RATE
 from covey.model.validation import InputError
 from covey.model.value import Value
@@ -100,6 +101,11 @@ class Study(Value):
         for name, value in values.items():
             object.__setattr__(self, name, value)
 
+    def _repr_html_(self) -> str:
+        return html_facts(
+            "Study", {field.name: getattr(self, field.name) for field in fields(self)}
+        )
+
     @cached_property
     def cases(self) -> tuple[Case, ...]:
         """All combinations of the grid, the last field fastest."""
@@ -137,8 +143,12 @@ class Study(Value):
 
 
 def _kept(value: object) -> object:
-    """List what an iterator gives: mistakes are looked up in the values a second time."""
-    return list(value) if isinstance(value, Iterator) else value
+    """List what an iterator gives: mistakes are looked up in the values a second time.
+
+    [None] is a field that isn't given, as `describe` writes it.
+    """
+    kept = list(value) if isinstance(value, Iterator) else value
+    return None if isinstance(kept, list) and len(kept) == 1 and kept[0] is None else kept
 
 
 def plain(value: object) -> object:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from covey.model import InputError
+from covey.model.display import html_facts
 from covey.model.units import counted
 from covey.simulation.data_frame import frame_of_table
 from covey.studies.design.case import GRID
@@ -57,6 +58,9 @@ class StudyResult:
     def __repr__(self) -> str:
         """Return the folder, and how many games the study has, in one line."""
         return f"StudyResult({str(self.folder)!r}, {counted(self.manifest['games'], 'game')})"
+
+    def _repr_html_(self) -> str:
+        return html_facts(repr(self), self.study["grid"])
 
     @property
     def study(self) -> dict[str, Any]:

@@ -14,7 +14,7 @@ from covey.model.validation import Floats
 from covey.planning import capture_times
 from covey.views.charts.single_turn import SingleTurn, draw_arrow, single_turn
 from covey.views.kit import style
-from covey.views.kit.layout import Sheet, camera_around, single_map
+from covey.views.kit.layout import camera_around, single_map
 from covey.views.kit.markers import (
     CENTER,
     DOTS,
@@ -25,6 +25,7 @@ from covey.views.kit.markers import (
     draw,
     draw_disk,
 )
+from covey.views.kit.page import Sheet
 from covey.views.kit.point_labels import footprint, label
 from covey.views.kit.sampling import joined, sampled
 from covey.views.kit.style import styled

@@ -10,7 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from covey.views.kit import style
-from covey.views.kit.layout import panels_in_a_row, sheet_of, width_of_panels
+from covey.views.kit.layout import panels_in_a_row, width_of_panels
+from covey.views.kit.page import sheet_of
 from covey.views.kit.style import styled
 
 _SIDE = 2.0

@@ -14,7 +14,7 @@ from matplotlib.ticker import MaxNLocator
 
 from covey.model import InputError
 from covey.views.kit import style
-from covey.views.kit.layout import new_page, sheet_of
+from covey.views.kit.page import new_page, sheet_of
 from covey.views.kit.style import styled
 
 _STRIP = 0.27

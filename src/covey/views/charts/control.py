@@ -13,8 +13,9 @@ from covey.model import Team
 from covey.model.angles import unit_vectors, wrap_angle
 from covey.views.charts.single_turn import SingleTurn, draw_angle, draw_arrow, single_turn
 from covey.views.kit import style
-from covey.views.kit.layout import camera_around, new_page, set_view, sheet_of
+from covey.views.kit.layout import camera_around, set_view
 from covey.views.kit.markers import DOTS, EVADERS, FLOWN, draw
+from covey.views.kit.page import new_page, sheet_of
 from covey.views.kit.point_labels import footprint, label
 from covey.views.kit.sampling import joined, sampled
 from covey.views.kit.style import styled

@@ -14,7 +14,7 @@ from covey.model import InputError
 from covey.model.units import counted
 from covey.model.validation import Floats, Ints
 from covey.views.kit import style
-from covey.views.kit.layout import new_page, sheet_of
+from covey.views.kit.page import new_page, sheet_of
 from covey.views.kit.style import styled
 
 _BIN = 0.01

@@ -12,7 +12,8 @@ from covey.simulation import Game
 from covey.views.games.scene import draw_legend, draw_numbers, draw_scene, extent
 from covey.views.games.snapshot import Snapshot, end_of, snapshot_at, trajectories
 from covey.views.kit.close_up import fitting_scale
-from covey.views.kit.layout import Sheet, camera_around, margins, name_axes, new_page, set_view
+from covey.views.kit.layout import camera_around, margins, name_axes, set_view
+from covey.views.kit.page import Sheet, new_page
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
 
@@ -66,7 +67,7 @@ class FrameRenderer:
         """Render a time of the game as (height, width, 3); video codecs demand even numbers."""
         self._canvas.restore_region(self._background)
         snapshot = snapshot_at(self._game, time)
-        scale = fitting_scale(self.axes, snapshot.team.positions)
+        scale = fitting_scale(self.axes, snapshot.team.positions[snapshot.alive])
         moving = draw_scene(self.axes, snapshot, self._flown, scale)
         moving += draw_numbers(self.axes, snapshot)
         self._title.set_text(self._caption(snapshot))

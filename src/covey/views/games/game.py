@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from covey.simulation import Game
+from covey.views.games.capture_labels import Captures, label_captures
 from covey.views.games.snapshot import (
     Trajectories,
     capture_points,
@@ -17,7 +18,7 @@ from covey.views.games.snapshot import (
     trajectories,
 )
 from covey.views.kit.close_up import close_up, fitting_scale
-from covey.views.kit.layout import Sheet, camera_around, single_map
+from covey.views.kit.layout import camera_around, single_map
 from covey.views.kit.markers import (
     CAPTURED,
     DOTS,
@@ -28,7 +29,8 @@ from covey.views.kit.markers import (
     draw_disk,
     pursuer_flying,
 )
-from covey.views.kit.point_labels import NUMBER, label, number_and_time, number_evaders
+from covey.views.kit.page import Sheet
+from covey.views.kit.point_labels import number_and_time
 from covey.views.kit.sampling import joined, rim
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
@@ -72,21 +74,16 @@ def draw_game(
     write = time_format(end_of(game), game.team.units.time)
     sheet = Sheet(ax, _outcome(game, write) if title is None else title, width)
     figure, axes = single_map(camera_around(joined(tracks)), sheet, unit)
-    disk, team = rim(game.disk.center, game.disk.radius), range(len(game.team))
+    disk = rim(game.disk.center, game.disk.radius)
     texts = [
         number_and_time(i, write(time))
         for i, time in zip(game.capture_sequence.tolist(), game.capture_times.tolist(), strict=True)
     ]
-    inset = close_up(axes, joined([game.team.positions, disk]), joined(tracks))
+    close = joined([game.team.positions, disk])
+    inset = close_up(axes, close, joined(tracks))
     for each in (axes, inset) if inset else (axes,):
         _draw_course(each, game, flown)
-    if inset:
-        label(axes, points, texts, joined(tracks))
-        number_evaders(inset, game.team.positions, team, joined([*tracks, disk]))
-    else:
-        looks = [NUMBER] * len(game.team) + [{}] * len(texts)
-        places = np.concatenate([game.team.positions, points])
-        label(axes, places, [*map(str, team), *texts], joined(tracks), looks=looks)
+    label_captures(axes, inset, game.team, Captures(points, texts), joined([*tracks, disk]))
     return figure
 
 

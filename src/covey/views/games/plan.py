@@ -7,10 +7,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from covey.bounds import Bracket
+from covey.bounds.bracket import LowerEnd
 from covey.planning import Plan
+from covey.views.games.capture_labels import Captures, label_captures
 from covey.views.games.prediction import Prediction, predict
+from covey.views.games.tree import draw_contingent
 from covey.views.kit.close_up import close_up, fitting_scale
-from covey.views.kit.layout import Sheet, camera_around, single_map
+from covey.views.kit.layout import camera_around, single_map
 from covey.views.kit.markers import (
     CENTER,
     EVADERS,
@@ -20,7 +23,8 @@ from covey.views.kit.markers import (
     draw,
     draw_disk,
 )
-from covey.views.kit.point_labels import NUMBER, label, number_and_time, number_evaders
+from covey.views.kit.page import Sheet
+from covey.views.kit.point_labels import number_and_time
 from covey.views.kit.sampling import joined, rim, sampled
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
@@ -68,20 +72,15 @@ def draw_plan(
         title = f"guaranteed survival {write(plan.survival_time)}"
     camera = camera_around(joined([lines, start]))
     figure, axes = single_map(camera, Sheet(ax, title, width), team.unit)
-    inset, numbers = close_up(axes, start, lines), range(len(team))
+    inset = close_up(axes, start, lines)
     texts = [
         number_and_time(i, write(time))
         for i, time in zip(expected.evaders.tolist(), expected.times.tolist(), strict=True)
     ]
     for each in (axes, inset) if inset else (axes,):
         _draw_paths(each, plan, expected)
-    if inset:
-        label(axes, expected.points, texts, lines)
-        number_evaders(inset, team.positions, numbers, joined([lines, start]))
-    else:
-        looks = [NUMBER] * len(team) + [{}] * len(texts)
-        places = np.concatenate([team.positions, expected.points])
-        label(axes, places, [*map(str, numbers), *texts], lines, looks=looks)
+    captures = Captures(expected.points, texts)
+    label_captures(axes, inset, team, captures, joined([lines, start]))
     return figure
 
 
@@ -90,16 +89,16 @@ def draw_bracket(
     *,
     ax: Axes | None = None,
     title: str | None = None,
-    width: float = COLUMN_WIDTH,
+    width: float | None = None,
 ) -> Figure:
-    """Draw the plan of a bracket, and between which times the true value of the game lies.
+    """Draw the plan that guarantees the lower end of a bracket, and name both ends.
 
     Parameters
     ----------
     bracket
         What `covey.bracket` returned.
     ax, width
-        See `draw_plan`.
+        See `draw_plan` or, where a contingent plan guarantees more, `draw_contingent`.
     title
         Default: both bounds.
 
@@ -118,7 +117,10 @@ def draw_bracket(
     write = time_format(bracket.upper, bracket.plan.team.units.time)
     if title is None:
         title = f"sure of {write(bracket.lower)}; nobody of more than {write(bracket.upper)}"
-    return draw_plan(bracket.plan, ax=ax, title=title, width=width)
+    tree = bracket.contingent
+    if tree is not None and bracket.lower_by is LowerEnd.CONTINGENT:
+        return draw_contingent(tree, ax=ax, title=title, width=width or 2.0 * COLUMN_WIDTH)
+    return draw_plan(bracket.plan, ax=ax, title=title, width=width or COLUMN_WIDTH)
 
 
 def _draw_paths(axes: Axes, plan: Plan, expected: Prediction) -> None:

@@ -14,7 +14,6 @@ from covey.model.validation import Floats
 from covey.views.games.prediction import predicted
 from covey.views.games.snapshot import Snapshot, Trajectories, until
 from covey.views.kit import style
-from covey.views.kit.layout import Page
 from covey.views.kit.markers import (
     CAPTURED,
     CENTER,
@@ -30,6 +29,7 @@ from covey.views.kit.markers import (
     legend_handle,
     pursuer_flying,
 )
+from covey.views.kit.page import Page
 from covey.views.kit.point_labels import NUMBER
 from covey.views.kit.sampling import joined, sampled
 

@@ -14,7 +14,8 @@ from covey.simulation import Game
 from covey.views.games.scene import draw_legend, draw_scene, drawn_lines, extent
 from covey.views.games.snapshot import end_of, snapshot_at, trajectories
 from covey.views.kit.close_up import fitting_scale
-from covey.views.kit.layout import camera_around, maps_in_rows, sheet_of
+from covey.views.kit.layout import camera_around, maps_in_rows
+from covey.views.kit.page import sheet_of
 from covey.views.kit.point_labels import number_evaders
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
@@ -79,7 +80,8 @@ def draw_snapshots(
     page, maps = maps_in_rows(names, 2, camera, game.team.unit, _FOOT, sheet)
     for axes, snapshot in zip(maps, snapshots, strict=True):
         positions = snapshot.team.positions
-        draw_scene(axes, snapshot, flown, _SCALE * fitting_scale(axes, positions))
+        scale = _SCALE * fitting_scale(axes, positions[snapshot.alive])
+        draw_scene(axes, snapshot, flown, scale)
         number_evaders(axes, positions, range(len(positions)), drawn_lines(snapshot, flown))
     draw_legend(page)
     return page.figure

@@ -13,7 +13,7 @@ from covey.planning import ContingentPlan
 from covey.simulation.expected_captures import expected_captures
 from covey.views.games.flight import path
 from covey.views.kit.close_up import fitting_scale
-from covey.views.kit.layout import Page, camera_around, maps_in_rows, sheet_of
+from covey.views.kit.layout import camera_around, maps_in_rows
 from covey.views.kit.markers import (
     CAPTURED,
     CENTER,
@@ -26,6 +26,7 @@ from covey.views.kit.markers import (
     draw_disk,
     legend_handle,
 )
+from covey.views.kit.page import Page, sheet_of
 from covey.views.kit.point_labels import number_evaders
 from covey.views.kit.sampling import joined, sampled
 from covey.views.kit.style import COLUMN_WIDTH, styled

@@ -1,5 +1,6 @@
 """What all pictures share: colours, markers, layout, labels and files.
 
-Read `style` and `markers` first, then `layout` (figures and axes of exact size) and `sampling`
-(points along lines), on which `point_labels` builds. `time_format` and `saving` stand alone.
+Read `style` and `markers` first, then `page` (figures and axes of exact size), `layout` (maps and
+panels) and `sampling` (points along lines), on which `point_labels` and `close_up` build.
+`time_format` and `saving` stand alone.
 """

@@ -9,7 +9,7 @@ from covey.model.validation import Floats
 from covey.views.kit import style
 from covey.views.kit.layout import camera_around, set_view
 
-_LEAST_SCALE = 0.5
+_LEAST_SCALE = 0.6
 _ROOM = 1.3
 """Distance of two markers that are told apart, in their size."""
 

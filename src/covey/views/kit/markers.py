@@ -93,6 +93,7 @@ def draw(axes: Axes, marker: Marker, *paths: Floats, scale: float = 1.0) -> Line
     x, y = np.concatenate(pieces[1:] or [np.empty((0, 2))]).T
     line = Line2D(x, y, zorder=marker.layer, gid=marker.name, **marker.properties)
     line.set_markersize(scale * line.get_markersize())
+    line.set_markeredgewidth(scale * line.get_markeredgewidth())
     axes.add_line(line)
     return line
 

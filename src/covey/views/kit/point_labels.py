@@ -49,14 +49,16 @@ def label(
     lines: Floats,
     size: float = style.SMALL_TEXT_SIZE,
     looks: Sequence[dict[str, Any]] | None = None,
+    clear_of: Sequence[Axes] = (),
 ) -> list[Annotation]:
     """Write a text beside each of `points` (K, 2), clear of other labels and of `lines` (M, 2).
 
     Greedy: one label after the other takes the best position that is left. The axes must have their
-    final position and limits. `looks` are properties of each text.
+    final position and limits. `looks` are properties of each text; `clear_of` are other axes that
+    lie on these.
     """
     drawn = axes.transData.transform(np.concatenate([lines, points]))
-    taken: list[Bbox] = []
+    taken: list[Bbox] = [each.get_window_extent() for each in clear_of]
     labels = []
     for point, text, look in zip(points, texts, looks or [{}] * len(texts), strict=True):
         note = _note(axes, point, text, {"fontsize": size} | look)

@@ -111,10 +111,10 @@ export class Board {
       this.stroke(this.palette.soft, 1.2, [1, 5]);
       this.line([begin, ...places]);
     }
-    places.forEach(([placeX, placeY], k) => this.drawNumber(placeX, placeY, k + 1 + moment.captured.length));
+    places.forEach(([placeX, placeY], k) => this.drawExpected(placeX, placeY, moment.sequence[k]));
   }
 
-  drawNumber(x, y, number) {
+  drawExpected(x, y, number) {
     const context = this.context;
     this.circle(x, y, 9);
     context.fillStyle = this.palette.board;
@@ -125,12 +125,12 @@ export class Board {
   }
 
   drawCaptured(moment) {
-    moment.captured.forEach(([i], k) => {
+    moment.captured.forEach(([i]) => {
       const [x, y] = moment.evaders[i];
       this.circle(x, y, 9);
       this.context.fillStyle = this.palette.captured;
       this.context.fill();
-      this.text(x, y, k + 1, this.palette.board);
+      this.text(x, y, i, this.palette.board);
     });
   }
 
@@ -143,15 +143,16 @@ export class Board {
       context.translate(screenX, screenY);
       context.rotate(-heading);
       context.beginPath();
-      context.moveTo(14, 0);
-      context.lineTo(3, 6.2);
-      context.arc(0, 0, 7, 1.1, TAU - 1.1);
+      context.moveTo(16, 0);
+      context.lineTo(3.6, 7.2);
+      context.arc(0, 0, 8, 1.1, TAU - 1.1);
       context.closePath();
       context.fillStyle = this.palette.team;
       context.fill();
       this.stroke(this.palette.board, 1.5);
       context.stroke();
       context.restore();
+      this.text(x, y, i, this.palette.board);
     }
   }
 

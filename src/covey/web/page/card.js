@@ -1,7 +1,7 @@
 // The card over the board: what to do next, and the result of a game.
 
 import { percent } from "./results.js";
-import { short } from "./timeline.js";
+import { difference, short } from "./timeline.js";
 
 export class Card {
   constructor(root) {
@@ -44,7 +44,7 @@ export class Card {
     });
   }
 
-  over({ time, above, share }, { guarantee, sure, reference, assurance, best }, actions) {
+  over({ time, share }, { guarantee, sure, reference, assurance, best }, actions) {
     if (time === null) {
       const text = "The game was stopped at its time limit with evaders alive.";
       this.show({ title: "They got away", text, actions });
@@ -54,7 +54,7 @@ export class Card {
       title: best ? "Your best at this game" : "All captured",
       score: percent(share),
       text: sure
-        ? `as quick as the best pursuer known, and ${short(Math.max(above, 0))} above what the team was sure of.`
+        ? `as quick as the best pursuer known, and ${difference(time, guarantee)} above what the team was sure of.`
         : "as quick as the best pursuer known.",
       figures: [
         ["you", "You", short(time)],

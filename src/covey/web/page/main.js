@@ -9,7 +9,7 @@ import { Playback } from "./playback.js";
 import { forgetResults, keepResult, showResults } from "./results.js";
 import { Steering, steers } from "./steering.js";
 import { followTheme } from "./theme.js";
-import { Timeline, short } from "./timeline.js";
+import { Timeline, difference, short } from "./timeline.js";
 
 const at = (id) => document.getElementById(id);
 const PLAY = "M8 5v14l11-7z";
@@ -220,7 +220,7 @@ function positions({ evaders, sequence, pursuer }) {
 function insets() {
   const small = innerWidth <= 820;
   const room = { top: small ? 76 : 40, bottom: 90, left: 24, right: 24 };
-  if (card.isReady) room.bottom = 180;
+  if (card.isReady) room.bottom = at("board").getBoundingClientRect().bottom - at("card").getBoundingClientRect().top + 16;
   else if (!at("card").hidden && small) room.bottom = 100 + at("card").offsetHeight;
   else if (!at("card").hidden) room.left = 410;
   return room;
@@ -250,7 +250,8 @@ function drawMoment(moment, now, seconds) {
   at("clock").textContent = short(moment.time || 0);
   at("left-chip").textContent = `${moment.sequence.length} of ${cast.evaders} alive`;
   at("mode-chip").textContent = `${cast.sensing} pursuer`;
-  at("clock-label").textContent = label(moment.time - cast.guarantee, cast.sure);
+  at("clock-label").textContent = label(moment.time, cast);
+  at("legend-disk").hidden = cast.sensing !== "hidden";
   at("back").hidden = at("rate-chip").hidden = true;
   at(state.watching ? "back" : "rate-chip").hidden = false;
   timeline.show({
@@ -264,9 +265,9 @@ function drawMoment(moment, now, seconds) {
   showButtons();
 }
 
-function label(above, sure) {
+function label(time, { guarantee, sure }) {
   const what = { reference: "the best pursuer known", yours: "replay of your game", opened: "record" }[state.watching];
-  return `${what ?? "survival time"}${above > 0 ? `, ${short(above)} above the ${sure ? "guarantee" : "first plan"}` : ""}`;
+  return `${what ?? "survival time"}${time > guarantee ? `, ${difference(time, guarantee)} above the ${sure ? "guarantee" : "first plan"}` : ""}`;
 }
 
 function showButtons() {

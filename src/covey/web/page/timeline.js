@@ -52,6 +52,11 @@ export function nameOf(sure) {
   return sure ? "guaranteed" : "first plan";
 }
 
+// Of two times as they are shown: 5.23 is 0.39 above 4.84, whatever further digits say.
+export function difference(time, earlier) {
+  return short(Math.max(Number(short(time)) - Number(short(earlier)), 0));
+}
+
 export function short(time) {
-  return time >= 0.01 && time < 10000 ? time.toFixed(2) : time.toPrecision(3);
+  return (time >= 0.01 && time < 10000) || time === 0 ? time.toFixed(2) : time.toPrecision(3);
 }

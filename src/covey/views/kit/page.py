@@ -1,0 +1,97 @@
+"""Figures and axes of exact size: a new figure, or the place of given axes. Sizes are inches."""
+
+from __future__ import annotations
+
+import math
+from io import BytesIO
+from typing import Any, NamedTuple, cast
+
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+TITLE = 0.22
+"""Headroom for a title."""
+
+_NOTEBOOK_DPI = 150
+
+
+class Picture(Figure):
+    """A figure that shows itself in a notebook. pyplot's global state doesn't hold it."""
+
+    def _repr_png_(self) -> bytes:
+        buffer = BytesIO()
+        self.savefig(buffer, format="png", dpi=_NOTEBOOK_DPI)
+        return buffer.getvalue()
+
+
+class Sheet(NamedTuple):
+    """What a caller says of a whole picture."""
+
+    ax: Axes | None  # where to draw; None: in a new figure
+    title: str | None  # None or empty: no title
+    width: float  # inches
+    height: float = math.inf  # inches at most
+
+
+def sheet_of(ax: Axes | None, title: str | None, width: float) -> Sheet:
+    """Return a sheet of this width, inches, or of the size of the given axes."""
+    if ax is None:
+        return Sheet(ax, title, width)
+    width, height = (size / ax.figure.dpi for size in ax.get_window_extent().size)
+    return Sheet(ax, title, width, height)
+
+
+class Page(NamedTuple):
+    """What a picture of several panels is drawn on: a new figure, or the place of given axes."""
+
+    figure: Figure
+    axes: Axes | None  # the given ones
+    width: float  # inches, as all lengths here
+    height: float
+
+    def panel(self, left: float, bottom: float, width: float, height: float) -> Axes:
+        """Add axes at an exact position; within given axes, at the same share of their place."""
+        if self.axes is None:
+            return add_axes(self.figure, left, bottom, width, height)
+        shares = left / self.width, bottom / self.height, width / self.width, height / self.height
+        return self.axes.inset_axes(shares)
+
+    def legend(self, *args: Any, **properties: Any) -> None:
+        """Add a legend to the whole page."""
+        (self.axes or self.figure).legend(*args, **properties)
+
+    def text(self, left: float, bottom: float, text: str, **properties: Any) -> None:
+        """Write a text at an exact position."""
+        place = left / self.width, bottom / self.height
+        if self.axes is None:
+            self.figure.text(*place, text, **properties)
+        else:
+            self.axes.text(*place, text, transform=self.axes.transAxes, **properties)
+
+
+def new_page(sheet: Sheet, height: float) -> Page:
+    """Return a page in a new figure, or in the place of given axes; a title stands above it."""
+    ax, title, width, _ = sheet
+    whole = height + (TITLE if title else 0.0)
+    if ax is None:
+        page = Page(new_figure(width, whole), None, width, whole)
+    else:
+        ax.set_axis_off()
+        page = Page(cast(Figure, ax.figure), ax, width, whole)
+    if title:
+        page.text(0.5 * width, 0.5 * (height + whole), title, ha="center", va="center")
+    return page
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """An empty figure, sizes in inches."""
+    figure = Picture(figsize=(width, height))
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def add_axes(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
+    """Axes at an exact position in the figure, inches."""
+    across, up = figure.get_size_inches()
+    return figure.add_axes((left / across, bottom / up, width / across, height / up))
