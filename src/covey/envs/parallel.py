@@ -41,6 +41,13 @@ class PursuitEnv(ParallelEnv[str, Seen, npt.ArrayLike]):  # type: ignore[misc] #
     ------
     InputError
         If the game can't be played, or both sides have strategies.
+
+    Examples
+    --------
+    >>> from covey.envs import pursuit_v0
+    >>> env = pursuit_v0.PursuitEnv(team_size=2)
+    >>> env.possible_agents
+    ['evader_0', 'evader_1', 'pursuer_0']
     """
 
     metadata: ClassVar[dict[str, Any]] = {
@@ -165,10 +172,33 @@ class PursuitEnv(ParallelEnv[str, Seen, npt.ArrayLike]):  # type: ignore[misc] #
 
 
 def parallel_env(**arguments: Any) -> PursuitEnv:
-    """Return the parallel environment; see `PursuitEnv` for the arguments."""
+    """Return the parallel environment; see `PursuitEnv` for the arguments.
+
+    Examples
+    --------
+    >>> from covey.envs import pursuit_v0
+    >>> env = pursuit_v0.parallel_env(team_size=3, sensing="hidden")
+    >>> observations, infos = env.reset(seed=1)
+    >>> actions = {agent: env.action_space(agent).sample() for agent in env.agents}
+    >>> observations, rewards, terminations, truncations, infos = env.step(actions)
+    >>> sorted(rewards)
+    ['evader_0', 'evader_1', 'evader_2', 'pursuer_0']
+    """
     return PursuitEnv(**arguments)
 
 
 def env(**arguments: Any) -> AECEnv[str, Seen, npt.ArrayLike]:
-    """Return the same environment with agents that act one after another (PettingZoo's AEC)."""
+    """Return the same environment with agents that act one after another (PettingZoo's AEC).
+
+    Examples
+    --------
+    >>> from covey.envs import pursuit_v0
+    >>> env = pursuit_v0.env(team_size=2)
+    >>> env.reset(seed=1)
+    >>> env.agent_selection
+    'evader_0'
+    >>> env.step(env.action_space("evader_0").sample())
+    >>> env.agent_selection
+    'evader_1'
+    """
     return parallel_to_aec(PursuitEnv(**arguments))

@@ -68,6 +68,13 @@ class Setup:
     ------
     InputError
         If a field is outside of its range.
+
+    Examples
+    --------
+    >>> from covey.envs import pursuit_v0
+    >>> setup = pursuit_v0.Setup(team_size=4, speed=0.3, capture_radius=0.05)
+    >>> setup.team_size, setup.sensing
+    (4, 'visible')
     """
 
     team_size: int = 3

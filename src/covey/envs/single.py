@@ -80,6 +80,17 @@ class PursuerEnv(_OneSide):
         None, "rgb_array" or "human".
     **setup
         Fields of `Setup`: the game.
+
+    Examples
+    --------
+    >>> from covey.envs import pursuit_v0
+    >>> env = pursuit_v0.PursuerEnv(team_size=3)
+    >>> observation, info = env.reset(seed=1)
+    >>> observation.shape
+    (21,)
+    >>> observation, reward, terminated, truncated, info = env.step([1.0, 0.0])
+    >>> reward < 0.0  # the pursuer pays the time of a step
+    True
     """
 
     def __init__(
@@ -113,6 +124,15 @@ class TeamEnv(_OneSide):
         None, "rgb_array" or "human".
     **setup
         Fields of `Setup`: the game.
+
+    Examples
+    --------
+    >>> from covey.envs import pursuit_v0
+    >>> env = pursuit_v0.TeamEnv(team_size=3, pursuer="committed")
+    >>> observation, info = env.reset(seed=1)
+    >>> observation, reward, terminated, truncated, info = env.step([0.0, 0.5, -0.5])
+    >>> reward > 0.0  # the team is paid the time of a step
+    True
     """
 
     def __init__(

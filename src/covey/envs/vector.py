@@ -47,6 +47,14 @@ class PursuerVectorEnv(GameBatch):
     ------
     InputError
         If the game can't be played, or `evaders` is neither of the two.
+
+    Examples
+    --------
+    >>> from covey.envs import pursuit_v0
+    >>> games = pursuit_v0.PursuerVectorEnv(8, team_size=3)
+    >>> observations, infos = games.reset(seed=1)
+    >>> observations.shape
+    (8, 21)
     """
 
     of_team = False
@@ -115,6 +123,16 @@ class TeamVectorEnv(GameBatch):
     ------
     InputError
         If the game can't be played, or `pursuer` is none of these five.
+
+    Examples
+    --------
+    >>> from covey.envs import pursuit_v0
+    >>> games = pursuit_v0.TeamVectorEnv(8, team_size=3)
+    >>> observations, infos = games.reset(seed=1)
+    >>> actions = games.action_space.sample()
+    >>> observations, rewards, terminated, truncated, infos = games.step(actions)
+    >>> rewards.shape
+    (8,)
     """
 
     of_team = True

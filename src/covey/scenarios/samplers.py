@@ -43,6 +43,12 @@ class Square:
         Of the square around the pursuer, a length > 0.
     headings
         "away" from the pursuer, or "random".
+
+    Examples
+    --------
+    >>> import covey
+    >>> from covey import studies
+    >>> study = covey.Study(sampler=studies.Square(side=2.0, headings="random"))
     """
 
     side: float = 1.0
@@ -74,6 +80,12 @@ class Disk:
         A length > 0.
     headings
         "away" from the pursuer, or "random".
+
+    Examples
+    --------
+    >>> import covey
+    >>> from covey import studies
+    >>> study = covey.Study(sampler=studies.Disk(radius=0.5))
     """
 
     radius: float = 0.5
@@ -111,6 +123,12 @@ class Formation:
         Between neighbours, a length > 0.
     distance
         From the pursuer to the middle of the formation, a length >= 0.
+
+    Examples
+    --------
+    >>> import covey
+    >>> from covey import studies
+    >>> study = covey.Study(sampler=studies.Formation(shape="wedge", spacing=0.1, distance=0.5))
     """
 
     shape: str = "wedge"

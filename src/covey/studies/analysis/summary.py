@@ -24,7 +24,20 @@ class CaseSummary(NamedTuple):
 
 
 def summary(result: StudyResult) -> list[CaseSummary]:
-    """Return a line for each case. Means are over the starts whose games all ended."""
+    """Return a line for each case. Means are over the starts whose games all ended.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import covey
+    >>> from covey import studies
+    >>> study = covey.Study(starts=3, team_size=2, update_time=0.1)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     lines = studies.summary(covey.run_study(study, folder, workers=1))
+    ...
+    >>> [line.settings["sensing"] for line in lines]
+    ['visible', 'hidden']
+    """
     cases = [{name: _plain(value) for name, value in case.items()} for case in result.cases]
     moments, grid = result.moments, result.study["grid"]
     varying = [name for name in GRID if len({str(case[name]) for case in cases}) > 1]

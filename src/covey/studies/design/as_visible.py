@@ -28,6 +28,12 @@ class AsVisible:
         Of the committed pursuer; see `covey.CommittedPursuer`.
     pursuer
         Of the visible game: "committed", as in the paper, or "assured".
+
+    Examples
+    --------
+    >>> import covey
+    >>> from covey import studies
+    >>> study = covey.Study(starts=20, pursuer=studies.AsVisible(pursuer="assured"))
     """
 
     margin: float = 0.01

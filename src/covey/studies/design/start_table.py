@@ -74,6 +74,18 @@ class FromFile:
     ------
     InputError
         If the file can't be read, or lacks a column or a start.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> from covey import studies
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder) / "starts.csv"
+    ...     with file.open("w") as table:
+    ...         print("start,x,y", "0,0.3,0.1", "0,-0.2,0.4", sep=chr(10), file=table)
+    ...     sampler = studies.FromFile(file)
+    ...
     """
 
     path: str

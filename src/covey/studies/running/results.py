@@ -37,6 +37,17 @@ class StudyResult:
         The study with the keys and values of a study file.
     failures : tuple of str
         A line for each chunk that could not be played in the last run.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import covey
+    >>> study = covey.Study(starts=3, team_size=2, update_time=0.1)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     games = covey.run_study(study, folder, workers=1).to_pandas()
+    ...
+    >>> len(games)  # three starts, each hidden and visible
+    6
     """
 
     def __init__(

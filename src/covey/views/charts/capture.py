@@ -78,6 +78,11 @@ def draw_capture(
     ------
     InputError
         If the evader makes no turn, or isn't slower than the pursuer.
+
+    Examples
+    --------
+    >>> from covey import views
+    >>> figure = views.draw_capture()
     """
     motion = single_turn(
         _PAPER_LIKE if team is None else team, _PAPER_LIKE_TURN if turn is None else turn, evader

@@ -53,6 +53,12 @@ def draw_closeness(
     -------
     matplotlib.figure.Figure
         Panels side by side on one scale.
+
+    Examples
+    --------
+    >>> from covey import views
+    >>> near = views.Closeness(mean=0.996, least=0.935)
+    >>> figure = views.draw_closeness({"random pairs": {"open-loop": {"0.25 / 0.25": near}}})
     """
     least = min(
         each.least

@@ -71,6 +71,12 @@ def draw_comparison(
     ------
     InputError
         If there is nothing to draw.
+
+    Examples
+    --------
+    >>> from covey import views
+    >>> ratio = views.Ratio("open-loop", "committed", "", size=3, value=0.97, error=0.01)
+    >>> figure = views.draw_comparison([ratio], "survival time")
     """
     if not ratios:
         raise InputError("ratios: expected at least one")

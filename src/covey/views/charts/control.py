@@ -61,6 +61,11 @@ def draw_control(
     ------
     InputError
         If the evader makes no turn.
+
+    Examples
+    --------
+    >>> from covey import views
+    >>> figure = views.draw_control()
     """
     motion = single_turn(
         _PAPER_LIKE if team is None else team, _PAPER_LIKE_TURN if turn is None else turn, evader

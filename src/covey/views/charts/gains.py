@@ -63,6 +63,12 @@ def draw_gains(
     ------
     InputError
         If a curve lacks a ratio or an error for a turning rate.
+
+    Examples
+    --------
+    >>> from covey import views
+    >>> curve = views.Curve(ratios=[1.0, 1.02], errors=[0.0, 0.01])
+    >>> figure = views.draw_gains([0.79, 1.57], {"hidden pursuer": {2: curve}})
     """
     answering = beside or {}
     every = [*panels.values(), *answering.values()]

@@ -60,6 +60,11 @@ def draw_ratios(
     ------
     InputError
         If there is nothing to draw.
+
+    Examples
+    --------
+    >>> from covey import views
+    >>> figure = views.draw_ratios({3: [1.0, 0.99, 1.0], 5: [0.97, 1.0, 0.95]})
     """
     samples = {size: np.asarray(values, dtype=np.float64) for size, values in ratios.items()}
     if not samples or any(len(values) == 0 for values in samples.values()):

@@ -56,6 +56,17 @@ def draw_study(
     ------
     InputError
         If no game, or too few, came to their end.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import covey
+    >>> from covey import views
+    >>> teams = ["open-loop", "straight-away"]
+    >>> study = covey.Study(starts=3, team_size=2, update_time=0.1, evaders=teams)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     figure = views.draw_study(covey.run_study(study, folder, workers=1))
+    ...
     """
     sheet: dict[str, Any] = {"ax": ax, "title": title}
     if width is not None:

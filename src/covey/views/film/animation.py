@@ -33,6 +33,13 @@ class Film:
     ----------
     game : Game
         The record that the film shows.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> film = covey.animate(covey.simulate(team, disk, update_time=0.1), seconds=2.0)
     """
 
     def __init__(

@@ -60,6 +60,14 @@ def draw_game(
     Returns
     -------
     matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> from covey import views
+    >>> figure = views.draw_game(covey.simulate(team, disk, update_time=0.1))
     """
     flown, points, unit = trajectories(game), capture_points(game), game.team.unit
     tracks = [*np.swapaxes(flown.evaders, 0, 1), flown.pursuer]

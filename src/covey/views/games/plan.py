@@ -53,6 +53,14 @@ def draw_plan(
     Returns
     -------
     matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> from covey import views
+    >>> figure = views.draw_plan(covey.plan(team, disk), title="three evaders")
     """
     team, disk = plan.team, plan.disk
     sequence = np.array(plan.critical_sequences[0], dtype=np.int64)
@@ -97,6 +105,14 @@ def draw_bracket(
     Returns
     -------
     matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> from covey import views
+    >>> figure = views.draw_bracket(covey.bracket(team, disk))
     """
     write = time_format(bracket.upper, bracket.plan.team.units.time)
     if title is None:

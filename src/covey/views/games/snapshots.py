@@ -59,6 +59,14 @@ def draw_snapshots(
     ------
     InputError
         If there are no times, or a time is outside of the game.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> from covey import views
+    >>> figure = views.draw_snapshots(covey.simulate(team, disk, update_time=0.1))
     """
     snapshots = [snapshot_at(game, time) for time in _checked(game, times)]
     flown = trajectories(game)

@@ -74,6 +74,14 @@ def draw_contingent(
     Returns
     -------
     matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> from covey import views
+    >>> figure = views.draw_contingent(covey.plan_contingent(team, disk))
     """
     first = {i: _flown(tree, i) for i in tree.evaders} if len(tree.evaders) > 1 else {}
     plans = [tree, *(tree.after(i) for i in first)]

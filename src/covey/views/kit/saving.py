@@ -45,6 +45,20 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
         If the ending is another one.
     OSError
         If the file can't be written; its `strerror` says why.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> from covey import views
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     saved = views.save(covey.draw(covey.plan(team, disk)), Path(folder) / "plan.pdf")
+    ...
+    >>> saved.name
+    'plan.pdf'
     """
     path = Path(path)
     suffix = checked_suffix(path, STILLS, "a picture")
