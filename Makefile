@@ -55,7 +55,8 @@ format: $(READY) ## Format the code and mend what can be mended by rule
 # A warning is an error: a link that leads nowhere, a program that fails, a name that nobody documents.
 docs: $(DOCS_READY) ## Build the documentation in build/docs (DOCS=folder for another)
 	@$(BIN)/python -m covey warmup
-	$(BIN)/python -m sphinx -b html -d build/doctrees -W --keep-going -q docs $(or $(DOCS),build/docs)
+	@rm -rf docs/generated
+	$(BIN)/python -m sphinx -b html -d build/doctrees -E -W --keep-going -q docs $(or $(DOCS),build/docs)
 
 $(DOCS_READY): $(READY) requirements/docs.txt
 	@$(BIN)/python $(PINNED) -r requirements/docs.txt

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from pathlib import Path
-
-from sphinx.application import Sphinx
 
 import covey
 
@@ -26,10 +23,15 @@ extensions = [
     "sphinx.ext.autosummary",
     "sphinx_copybutton",
     "sphinx_design",
+    "sphinx_gallery.gen_gallery",
+    "docstrings",
+    "keys",
     "mathml",
+    "messages",
+    "notebooks",
     "shell",
 ]
-exclude_patterns = ["_ext", "_templates"]
+exclude_patterns = ["_ext", "_templates", "gallery", "generated/gallery/*.ipynb"]
 templates_path = ["_templates"]
 nitpicky = True
 
@@ -43,7 +45,20 @@ html_math_renderer = "mathml"
 nb_execution_mode = "force"
 nb_execution_raise_on_error = True
 nb_execution_timeout = 120
+nb_execution_in_temp = True
 nb_merge_streams = True
+
+# The gallery: what each short file draws
+sphinx_gallery_conf = {
+    "examples_dirs": "gallery",
+    "gallery_dirs": "generated/gallery",
+    "filename_pattern": "/plot_",
+    "image_scrapers": ["pictures.scrape"],
+    "abort_on_example_error": True,
+    "download_all_examples": False,
+    "show_signature": False,
+    "write_computation_times": False,
+}
 
 # Pages
 html_theme = "furo"
@@ -66,22 +81,7 @@ autodoc_type_aliases = {name: name for name in ("npt.ArrayLike", "Floats", "Ints
 # What is public has a page. Other libraries have pages elsewhere.
 nitpick_ignore_regex = [
     ("py:.*", r"(?!covey\.).*"),
+    ("py:.*", r"covey\.(scenarios|studies|views)"),
     ("py:.*", r"covey\.(bounds|model|planning|players|simulation)\..*"),
     ("py:.*", r"covey\.\w+\.\w+\..*"),
 ]
-
-
-def name_aliases(*event: object) -> tuple[object, ...]:
-    """Write the alias of a type by its name."""
-    *_, signature, returned = event
-    return _named(signature), _named(returned)
-
-
-def _named(signature: object) -> object:
-    text = re.sub(r"TypeAliasForwardRef\('(.*?)'\)", r"\1", str(signature))
-    return signature and text.replace("npt.", "")
-
-
-def setup(app: Sphinx) -> None:
-    """Connect what is done on the way."""
-    app.connect("autodoc-process-signature", name_aliases)

@@ -2,5 +2,5 @@
 
 `python -m soak` plays. One seed settles one game and what is checked of it. Read `case` (what is
 drawn), `legal_game` and `trial` (what is checked), `workers` and `totals` (how many games become a
-figure).
+figure), and `answers` for teams that answer captures alone.
 """

@@ -27,7 +27,7 @@ SHARES = {
     "plan": 0.1,  # the plan by itself, against every sequence where these are few
     "bracket": 0.01,
     "worst case": 0.02,
-    "answers": 0.005,  # plans that answer captures, one depth after the other
+    "answers": 0.01,  # plans that answer captures, one depth after the other
 }
 """How many of the games, of those that the check is meant for, get it."""
 
@@ -72,7 +72,7 @@ def draw(seed):
     if interpreted and count == 2 and generator.random() < 0.02:
         team, disk, sensing = players.downhill_game(team, disk)
     objective = _draw_objective(generator, count)
-    nominal = _nominal_time(team, disk) or float(length / speed)
+    nominal = nominal_time(team, disk) or float(length / speed)
     updates = _draw_updates(generator, interpreted, "fine" in checks)
     update_time = float(nominal / updates)
     setting = players.Setting(team, disk, sensing, nominal, update_time)
@@ -139,7 +139,7 @@ def _draw_objective(generator, count):
     return covey.ExpectedSurvival(sequences, generator.uniform(0.1, 1.0, len(sequences)), measure)
 
 
-def _nominal_time(team, disk):
+def nominal_time(team, disk):
     """How long the team survives that flies straight away from the disk's centre."""
     turns = covey.turns_to(team, away_from(disk.center, team.positions))
     return covey.guaranteed_survival(team, disk, turns).time

@@ -61,6 +61,13 @@ def draw(generator, setting, interpreted):
     return evaders(generator, setting), pursuer(generator, setting)
 
 
+def draw_answering(generator, setting):
+    """Return a team that answers captures, and a pursuer; every pursuer is equally frequent."""
+    pursuers = [*COMPILED_PURSUERS, *_interpreted_pursuers(setting)]
+    pursuer = pursuers[generator.integers(len(pursuers))]
+    return _contingent(generator, setting), pursuer(generator, setting)
+
+
 def _interpreted_pursuers(setting):
     """Those that can play: a hidden disk can't be steered, delays are for hidden pursuers."""
     if is_downhill(setting):

@@ -38,12 +38,12 @@ class ConstantBearing:
     """A pursuer that holds the line of sight to each evader of a sequence at a constant bearing.
 
     Between two calls the evaders fly straight; an evader counts as captured when it is met, the
-    last one within `reach`.
+    last one within `reach`. `captures` are the times of the captures so far.
     """
 
     def __init__(self, place, speed, sequence, reach=0.0):
         self.place, self.speed, self.left, self.reach = place, speed, list(sequence), reach
-        self.time = 0.0
+        self.time, self.captures = 0.0, []
 
     def follow(self, start, end, duration):
         """Fly while the evaders go from `start` to `end`, each (N, 2)."""
@@ -58,6 +58,7 @@ class ConstantBearing:
                 break
             self.place = here + met / rest * (end[target] - here)
             flown += met / duration
+            self.captures.append(self.time + flown * duration)
             self.left.pop(0)
         self.time += duration if self.left else flown * duration
 

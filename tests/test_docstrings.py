@@ -1,8 +1,10 @@
-"""Every public name has an example, and it prints what it says."""
+"""Every public name has a page, and an example that prints what it says."""
 
 from __future__ import annotations
 
 import doctest
+import re
+from pathlib import Path
 
 import pytest
 
@@ -20,3 +22,9 @@ def test_its_example_prints_what_it_says(name):
     told = []
     doctest.DocTestRunner().run(case, out=told.append)
     assert not told, "".join(told)
+
+
+def test_every_public_name_has_a_page():
+    page = (Path(__file__).parents[1] / "docs" / "reference" / "api.md").read_text("utf-8")
+    listed = re.findall(r"^   covey\.(\w+)$", page, re.MULTILINE)
+    assert sorted(listed) == sorted(covey.__all__)

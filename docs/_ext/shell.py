@@ -1,7 +1,6 @@
 """Runs the commands of a page when the page is built, and shows what they print.
 
-A page has a folder of its own. `file` writes a file there and shows it. `shell` runs commands
-there.
+A page has a folder of its own. `file` writes and shows a file there. `shell` runs commands there.
 `result` shows a picture or film that a command has left there. A command that fails is an error.
 """
 

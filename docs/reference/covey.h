@@ -283,6 +283,50 @@ struct covey_capture_times_results {
 };
 int64_t covey_capture_times(const struct covey_capture_times_words *words, struct covey_capture_times_results *results);
 
+/* Raise the mean over the orders by better headings until the first capture; return it.
+
+   The mean is quasi-convex in all velocities together, so all evaders turn to where the gradient
+   points.
+
+   Parameters
+   ----------
+   mixture
+       The orders and their weights.
+   headings
+       (n,) radians, by evader, until the first capture; modified in place.
+   values
+       (m,) last captures at these headings, by order; modified in place.
+   scratch
+       Modified in place; has the gradients at these headings. */
+struct covey_climb_mixture_words {
+    double *mixture_evaders; int64_t mixture_evaders_0, mixture_evaders_1; /* (n, EVADER); the first one is captured first */
+    double mixture_pursuit_center_x;
+    double mixture_pursuit_center_y;
+    double mixture_pursuit_first_radius;
+    double mixture_pursuit_later_radius;
+    double mixture_pursuit_speed;
+    int64_t *mixture_orders; int64_t mixture_orders_0, mixture_orders_1; /* (m, n - 1) of the evaders 1 to n - 1 */
+    double *mixture_weights; int64_t mixture_weights_0; /* (m,) >= 0, summing to one */
+    double *headings; int64_t headings_0;
+    double *values; int64_t values_0;
+    double *scratch_directions; int64_t scratch_directions_0; /* (n,) until the first capture */
+    double *scratch_stretches; int64_t scratch_stretches_0; /* (n,) speed until then, over the evader's own */
+    double *scratch_departed; int64_t scratch_departed_0, scratch_departed_1; /* (n, EVADER) where what is known of the flights ends */
+    double *scratch_departures; int64_t scratch_departures_0; /* (n,) and when */
+    double *scratch_here; int64_t scratch_here_0, scratch_here_1; /* (n, EVADER) at the first capture */
+    double *scratch_headings; int64_t scratch_headings_0, scratch_headings_1; /* (m, n) after it, by order */
+    double *scratch_flights; int64_t scratch_flights_0, scratch_flights_1; /* (n, FLIGHT) */
+    double *scratch_gradients; int64_t scratch_gradients_0, scratch_gradients_1, scratch_gradients_2; /* (m, n, 2) of the last capture by the positions at the first one */
+    double *scratch_programme_corners; int64_t scratch_programme_corners_0, scratch_programme_corners_1; /* (c, CORNER) */
+    double *scratch_programme_states; int64_t scratch_programme_states_0, scratch_programme_states_1, scratch_programme_states_2; /* (n, c, STATE) of the captures before each slot */
+    int64_t *scratch_programme_predecessor; int64_t scratch_programme_predecessor_0, scratch_programme_predecessor_1; /* (n, c) the corner of the evader before, with which a state is attained */
+    double *scratch_programme_attained; int64_t scratch_programme_attained_0; /* (n,) headings that attain the bound, by evader */
+};
+struct covey_climb_mixture_results {
+    double value_0;
+};
+int64_t covey_climb_mixture(const struct covey_climb_mixture_words *words, struct covey_climb_mixture_results *results);
+
 /* Replace the pursuer's sequence where another sequence is better by more than the margin.
 
    Better is an earlier last capture or, with `total`, a smaller sum of capture times. The margin
@@ -743,6 +787,71 @@ struct covey_minimum_over_sequences_results {
     double value_0;
 };
 int64_t covey_minimum_over_sequences(const struct covey_minimum_over_sequences_words *words, struct covey_minimum_over_sequences_results *results);
+
+/* Return an upper bound of the mean over the orders, and how many branches were bounded.
+
+   1. Bound the mean where the pursuer starts from the first evader: below it the mean need not be
+      quasi-convex in the velocities.
+   2. Take a branch from the stack, and bound it. Below the target it needs no further look.
+   3. Otherwise divide its last corner in two, and when that is fine, put the corners of the next
+      evader on the stack. A branch in which all corners are fixed ends the search.
+
+   Parameters
+   ----------
+   mixture
+       The orders and their weights. The search fixes the evaders' corners in the order of rows.
+   target
+       Time; the search ends with a bound that is at most this, or at the first headings that may
+       be above it.
+   branches
+       Modified in place.
+   attained
+       (n,) headings until the first capture that may be above the target; modified in place.
+   scratch
+       Modified in place.
+
+   Returns
+   -------
+   float
+       Whatever the evaders do, the mean is at most this if this is at most the target. Else the
+       target may be exceeded, at `attained`; inf if the branches were used up.
+   int */
+struct covey_mixture_bound_words {
+    double *mixture_evaders; int64_t mixture_evaders_0, mixture_evaders_1; /* (n, EVADER); the first one is captured first */
+    double mixture_pursuit_center_x;
+    double mixture_pursuit_center_y;
+    double mixture_pursuit_first_radius;
+    double mixture_pursuit_later_radius;
+    double mixture_pursuit_speed;
+    int64_t *mixture_orders; int64_t mixture_orders_0, mixture_orders_1; /* (m, n - 1) of the evaders 1 to n - 1 */
+    double *mixture_weights; int64_t mixture_weights_0; /* (m,) >= 0, summing to one */
+    double target;
+    int64_t branches_corners; /* of the first polygon */
+    double branches_finest; /* radians; a corner that stands for less to each side is not divided */
+    int64_t branches_most; /* branches that are bounded, at most */
+    int64_t *branches_fixed; int64_t branches_fixed_0; /* (stack,) evaders whose corner is fixed */
+    double *branches_directions; int64_t branches_directions_0, branches_directions_1; /* (stack, n) */
+    double *branches_halves; int64_t branches_halves_0, branches_halves_1; /* (stack, n) */
+    double *branches_headings; int64_t branches_headings_0, branches_headings_1, branches_headings_2; /* (stack, m, n) */
+    double *attained; int64_t attained_0;
+    double *scratch_directions; int64_t scratch_directions_0; /* (n,) until the first capture */
+    double *scratch_stretches; int64_t scratch_stretches_0; /* (n,) speed until then, over the evader's own */
+    double *scratch_departed; int64_t scratch_departed_0, scratch_departed_1; /* (n, EVADER) where what is known of the flights ends */
+    double *scratch_departures; int64_t scratch_departures_0; /* (n,) and when */
+    double *scratch_here; int64_t scratch_here_0, scratch_here_1; /* (n, EVADER) at the first capture */
+    double *scratch_headings; int64_t scratch_headings_0, scratch_headings_1; /* (m, n) after it, by order */
+    double *scratch_flights; int64_t scratch_flights_0, scratch_flights_1; /* (n, FLIGHT) */
+    double *scratch_gradients; int64_t scratch_gradients_0, scratch_gradients_1, scratch_gradients_2; /* (m, n, 2) of the last capture by the positions at the first one */
+    double *scratch_programme_corners; int64_t scratch_programme_corners_0, scratch_programme_corners_1; /* (c, CORNER) */
+    double *scratch_programme_states; int64_t scratch_programme_states_0, scratch_programme_states_1, scratch_programme_states_2; /* (n, c, STATE) of the captures before each slot */
+    int64_t *scratch_programme_predecessor; int64_t scratch_programme_predecessor_0, scratch_programme_predecessor_1; /* (n, c) the corner of the evader before, with which a state is attained */
+    double *scratch_programme_attained; int64_t scratch_programme_attained_0; /* (n,) headings that attain the bound, by evader */
+};
+struct covey_mixture_bound_results {
+    double value_0;
+    int64_t value_1;
+};
+int64_t covey_mixture_bound(const struct covey_mixture_bound_words *words, struct covey_mixture_bound_results *results);
 
 /* Ascend from a range of initial guesses.
 

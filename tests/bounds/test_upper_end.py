@@ -10,8 +10,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import covey
-from covey.bounds.polygon_bound import DENSE, SPARSE, bound_near, opening_towards
-from covey.bounds.upper_end import with_turn_limits, without_turn_limits
+from covey.bounds.polygon_bound import (
+    DENSE,
+    SPARSE,
+    Opening,
+    bound_near,
+    opening_towards,
+    turn_limits_known,
+)
+from covey.bounds.upper_end import earliest_end
 from covey.planning.guarantee import about_center
 from flights import ConstantBearing, fly
 from frames import ELSEWHERE
@@ -81,6 +88,30 @@ def test_no_team_outlives_it(seed, share):
         assert survived(team, disk, plan, opening, turning) <= bound * (1.0 + 1e-9)
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_nobody_is_the_target_before_its_turn_limit_is_dropped(seed):
+    """Not even in a team that flies towards the pursuer's way, to be captured soon."""
+    generator = np.random.default_rng(seed)
+    team, disk = random_game(generator, 3)
+    team = covey.Team(team.positions, team.headings, generator.uniform(0.1, 0.8, 3), 1e4)
+    sequence = tuple(generator.permutation(3).tolist())
+    opening = Opening(0.0, disk.center)
+    known = turn_limits_known(team, disk, sequence, opening)
+    pursuer, positions = ConstantBearing(opening.end, 1.0, sequence), team.positions
+    while pursuer.left:
+        target = pursuer.left[0]
+        goals = np.where(np.arange(3)[:, np.newaxis] == target, pursuer.place, positions[target])
+        off = goals - positions
+        length = np.hypot(*off.T)[:, np.newaxis]
+        step = np.minimum(team.speeds[:, np.newaxis] * 1e-3, length)
+        after = positions + step * off / np.maximum(length, 1e-300)
+        pursuer.follow(positions, after, 1e-3)
+        positions = after
+    targets = dict(zip(sequence, [0.0, *pursuer.captures], strict=False))
+    assert all(known[i] <= time + 1e-9 for i, time in targets.items())
+    assert known[sequence[-1]] >= 0.6 * targets[sequence[-1]]
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_a_team_far_away_nearly_attains_it(seed):
     """All have turned before the first capture, and an opening costs little."""
@@ -130,16 +161,17 @@ def test_is_at_least_the_best_answer_whatever_the_unit(game, share):
 @pytest.mark.parametrize("seed", range(4))
 def test_more_turning_never_lowers_an_end_and_frames_do_not_matter(seed):
     team, disk = random_game(np.random.default_rng(seed), 1 + seed)
-    limited, free = with_turn_limits(team, disk), without_turn_limits(team, disk, ())
-    assert limited.time <= free.time * (1.0 + 1e-9)
-    there = with_turn_limits(*ELSEWHERE.game(team, disk))
+    limited, free = earliest_end(team, disk), earliest_end(team, disk, openings=())
+    assert limited.time <= free.time
+    assert limited.needs_limits == (limited.time < free.time)
+    there = earliest_end(*ELSEWHERE.game(team, disk))
     assert there.time == pytest.approx(ELSEWHERE.time * limited.time, rel=1e-7)
 
 
 def test_one_evader_that_cannot_turn_by_hand():
     """It flies towards the pursuer, and is met half way."""
     team = covey.Team([[1.0, 0.0]], [math.pi], 0.25, 0.0)
-    end = with_turn_limits(team, covey.PursuerDisk())
+    end = earliest_end(team, covey.PursuerDisk())
     found = covey.bracket(team, covey.PursuerDisk())
     assert found.upper_by.name == "TURN_LIMITS"
     assert 0.8 <= end.time <= 0.95

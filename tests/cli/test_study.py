@@ -124,13 +124,15 @@ def test_the_paper_is_not_reproduced_without_all_games(tmp_path, broken, monkeyp
 
 
 def test_the_paper_is_reproduced_with_a_report(tmp_path, capsys):
-    assert main(["reproduce", "--output", str(tmp_path), "--starts", "6", "--workers", "1"]) == 0
+    starts = ["--starts", "6", "--contingent-starts", "2"]
+    assert main(["reproduce", "--output", str(tmp_path), *starts, "--workers", "1"]) == 0
     there = {path.name for path in tmp_path.iterdir()}
     figures = {f"fig{k}.{ending}" for k in range(1, 6) for ending in ("png", "svg", "pdf")}
-    folders = {"fig4", "fig4-assured", "fig5"}
+    folders = {"fig4", "fig4-assured", "fig5", "fig5-contingent"}
     assert figures | folders | {"report.md", "fig3.gif", "fig4.csv", "fig5.csv"} <= there
     report = (tmp_path / "report.md").read_text()
-    assert "240 games from 6 starts" in report
+    assert "272 games from 6 starts" in report
+    assert "from the same 2 starts" in report
     assert report.count("| assured | 6 |") == 2
     for claim in ("200 of 500", "Larger teams gain more", "Where the definitions differ"):
         assert claim in report

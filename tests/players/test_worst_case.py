@@ -86,6 +86,7 @@ def test_equals_brute_force_over_all_sequences(count, evaders):
         covey.SmallestDanger(),
         covey.StraightAway(),
         covey.HoldCourse(),
+        covey.Contingent(),
     ],
     ids=lambda evaders: type(evaders).__name__,
 )
@@ -147,6 +148,20 @@ def test_is_between_the_guarantee_and_any_game(seed):
     )
     assert game.guarantee <= late.survival_time * (1.0 + 1e-9)
     assert late.survival_time <= worst.survival_time <= game.survival_time
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_a_team_that_answers_captures_keeps_its_promise_in_its_worst_case(seed):
+    team, disk = random_game(np.random.default_rng(seed), 3, radius=0.1 * (seed % 2))
+    evaders, delays = covey.Contingent(depth=1), [0.0, 0.3]
+    promised = covey.plan_contingent(team, disk, depth=1)
+    worst = covey.worst_case(team, disk, evaders=evaders, update_time=0.5)
+    late = covey.worst_case(team, disk, evaders=evaders, delays=delays, update_time=0.5)
+    assert promised.survival_time * (1.0 - 1e-9) <= worst.survival_time
+    assert promised.with_delays.survival_time <= late.survival_time <= worst.survival_time
+    pursuer = DelayedSequence(late.sequence, late.delays)
+    game = covey.simulate(team, disk, evaders=evaders, pursuer=pursuer, update_time=0.5)
+    assert tuple(game.capture_times.tolist()) == late.capture_times
 
 
 def test_waiting_delays_a_single_capture_by_so_much():

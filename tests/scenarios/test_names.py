@@ -34,7 +34,7 @@ def test_a_study_is_read_by_its_name():
     ("read", "kind"), [(covey.load_scenario, "scenario"), (read_study, "study")]
 )
 def test_an_unknown_name_is_told_with_those_that_exist(read, kind):
-    known = "everyone, fig3, unc" if kind == "scenario" else "fig4, fig4-assured, fig5, obj"
+    known = "everyone, fig3, unc" if kind == "scenario" else "fig4, fig4-assured, fig5, f"
     message = f"figs: no such file, and no {kind} of that name; with covey come {known}"
     with pytest.raises(covey.InputError, match=message):
         read("figs")

@@ -5,9 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-import numpy as np
-
-from covey.bounds.upper_end import with_turn_limits, without_turn_limits
+from covey.bounds.upper_end import earliest_end
 from covey.model import PursuerDisk, Team
 from covey.model.display import html_table, one_line
 from covey.model.validation import Floats, read_only
@@ -147,19 +145,12 @@ def bracket(
         lower, lower_by = tree.with_delays.survival_time, LowerEnd.CONTINGENT
     center = disk.center
     team, disk = about_center(team, disk)
-    end, upper_by = (
-        without_turn_limits(team, disk, found.critical_sequences[:2]),
-        UpperEndKind.AGILE,
-    )
-    if not np.isinf(team.turn_rates).all():
-        limited = with_turn_limits(team, disk)
-        if limited.time < end.time:
-            end, upper_by = limited, UpperEndKind.TURN_LIMITS
+    end = earliest_end(team, disk, known=found.critical_sequences[:2])
     return Bracket(
         lower=lower,
         lower_by=lower_by,
         upper=end.time,
-        upper_by=upper_by,
+        upper_by=UpperEndKind.TURN_LIMITS if end.needs_limits else UpperEndKind.AGILE,
         plan=found,
         contingent=tree,
         sequence=end.sequence,

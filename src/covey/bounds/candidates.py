@@ -17,6 +17,15 @@ _ALL_UP_TO = 6
 """Evaders up to which all sequences are candidates; of more, those that a beam search finds."""
 
 
+def candidate_sequences(team: Team, disk: PursuerDisk) -> tuple[tuple[int, ...], ...]:
+    """Return the sequences that are compared; turn rates don't matter."""
+    n = len(team)
+    if n <= _ALL_UP_TO:
+        return tuple(itertools.permutations(range(n)))
+    agile = Team(team.positions, team.headings, team.speeds, math.inf)
+    return tuple(sequences_on_grid(agile, disk))
+
+
 class Candidates:
     """Sequences for the evaders of a game, and headings near the team's best answer to each.
 
@@ -32,11 +41,7 @@ class Candidates:
 
     def __init__(self, team: Team, disk: PursuerDisk) -> None:
         n = len(team)
-        if n <= _ALL_UP_TO:
-            self.sequences = tuple(itertools.permutations(range(n)))
-        else:
-            agile = Team(team.positions, team.headings, team.speeds, math.inf)
-            self.sequences = tuple(sequences_on_grid(agile, disk))
+        self.sequences = candidate_sequences(team, disk)
         self._orders = np.array(self.sequences, dtype=np.int64)
         away = np.arctan2(*(team.positions - disk.center).T[::-1])
         self._headings = np.tile(away, (len(self.sequences), 1))

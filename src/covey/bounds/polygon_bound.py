@@ -110,7 +110,7 @@ def bound_near(
     right = _tangents(float(team.speeds.max()) / disk.speed, spacing)
     if len(right) == 0:
         return longest_game(team, disk), headings
-    known = _turn_limits_known(team, disk, sequence, opening)
+    known = turn_limits_known(team, disk, sequence, opening)
     bound, centers = math.inf, headings[np.newaxis, :]
     for _ in range(_MAX_CENTERS):
         corners = corners_of(team, _touching(right, centers), known, opening.time)
@@ -123,7 +123,7 @@ def bound_near(
     return bound, attained
 
 
-def _turn_limits_known(
+def turn_limits_known(
     team: Team, disk: PursuerDisk, sequence: tuple[int, ...], opening: Opening
 ) -> Floats:
     """Return the times (N,) before which no evader can be the pursuer's target.

@@ -6,12 +6,15 @@ import math
 from collections.abc import Iterable
 from typing import NamedTuple
 
+import numpy as np
+
 from covey.bounds.announced_sequence import announcements
 from covey.bounds.fixed_sequence import SequencePlan, plan_for_sequence
 from covey.bounds.polygon_bound import (
     DENSE,
     SPARSE,
     Opening,
+    Spacing,
     bound_near,
     first_capture,
     opening_towards,
@@ -25,7 +28,7 @@ _MAX_IMPROVEMENTS = 8
 _FINALISTS = 2
 """Sequences, the best against the team's own turn limits, whose proven bounds are compared."""
 
-_SHARES = (0.0, 0.35, 0.65, 0.8, 0.9)
+OPENINGS = (0.0, 0.35, 0.65, 0.8, 0.9)
 """Times of the opening flights that are compared, over the time of the first capture expected."""
 
 
@@ -35,6 +38,7 @@ class UpperEnd(NamedTuple):
     time: float
     sequence: tuple[int, ...]
     start: Floats  # (2,) where it starts in its disk
+    needs_limits: bool  # whether it holds only for evaders with the team's turn rates
 
 
 class _Candidate(NamedTuple):
@@ -45,44 +49,52 @@ class _Candidate(NamedTuple):
     opening: Opening
 
 
-def without_turn_limits(
-    team: Team, disk: PursuerDisk, known: Iterable[tuple[int, ...]]
+def earliest_end(
+    team: Team,
+    disk: PursuerDisk,
+    *,
+    known: Iterable[tuple[int, ...]] = (),
+    openings: tuple[float, ...] = OPENINGS,
 ) -> UpperEnd:
-    """Return the end that holds even if all evaders turn at once.
+    """Return the earlier of two ends: for evaders that turn at once, and with their turn rates.
 
-    The pursuer announces the best of the `known` sequences and of those that a search visits.
+    Parameters
+    ----------
+    team, disk
+        The state of the game, in a frame whose origin is near the disk's centre.
+    known
+        Sequences that are compared with those that the search visits.
+    openings
+        The second pursuer begins with a straight flight towards the first capture that it expects,
+        for the best of these shares of that capture's time. Without any there is no second pursuer.
     """
     agile = Team(team.positions, team.headings, team.speeds, math.inf)
-    return _best(agile, disk, announcements(agile, _without_reach(disk), known)[:1], (0.0,))
-
-
-def with_turn_limits(team: Team, disk: PursuerDisk) -> UpperEnd:
-    """Return the end that holds for evaders with the team's turn rates.
-
-    The pursuer begins with a straight flight towards the first capture that it expects, for the
-    best of several times.
-    """
-    return _best(team, disk, announcements(team, _without_reach(disk), ())[:_FINALISTS], _SHARES)
+    end = _best(agile, disk, announcements(agile, _without_reach(disk), known)[:1], (0.0,))
+    if not openings or np.isinf(team.turn_rates).all():
+        return end
+    plans = announcements(team, _without_reach(disk), known)[:_FINALISTS]
+    limited = _best(team, disk, plans, openings)
+    return limited._replace(needs_limits=True) if limited.time < end.time else end
 
 
 def _best(
-    team: Team, disk: PursuerDisk, plans: Iterable[SequencePlan], shares: tuple[float, ...]
+    team: Team, disk: PursuerDisk, plans: Iterable[SequencePlan], openings: tuple[float, ...]
 ) -> UpperEnd:
-    """Return the earliest proven end, with openings of these shares of the first capture time."""
+    """Return the earliest proven end over plans and openings, as one that needs no turn limits."""
     candidates = [
         _Candidate(plan, start, opening_towards(team, start, plan, share * plan.capture_times[0]))
         for start, plan in (_from_best_start(team, disk, plan) for plan in plans)
-        for share in shares
+        for share in openings
     ]
     if len(candidates) > 1:
-        candidates = [min(candidates, key=lambda each: _bound(team, each, sparse=True))]
+        candidates = [min(candidates, key=lambda each: _bound(team, each, SPARSE))]
     best = candidates[0]
-    return UpperEnd(_bound(team, best, sparse=False), best.plan.sequence, best.disk.center)
+    time = _bound(team, best, DENSE)
+    return UpperEnd(time, best.plan.sequence, best.disk.center, needs_limits=False)
 
 
-def _bound(team: Team, candidate: _Candidate, *, sparse: bool) -> float:
+def _bound(team: Team, candidate: _Candidate, spacing: Spacing) -> float:
     plan, disk, opening = candidate
-    spacing = SPARSE if sparse else DENSE
     return bound_near(team, disk, plan.sequence, plan.goal_headings, spacing, opening)[0]
 
 

@@ -45,6 +45,7 @@ not be played; 130 after Ctrl-C; 1 if nobody reads the output to its end.
 COMMANDS = (
     "new",
     "show",
+    "schema",
     "plan",
     "simulate",
     "worst_case",

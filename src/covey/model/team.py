@@ -73,13 +73,16 @@ class Team(Value):
 
     Examples
     --------
-    >>> import math
     >>> import covey
-    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4]], headings=[0.0, math.pi], speeds=[0.25, 0.2])
-    >>> len(team)
-    2
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4]], headings=[0.3, 2.0], speeds=[0.25, 0.2])
     >>> team.turn_rates.round(4).tolist()
     [1.5708, 1.5708]
+
+    In metres and seconds, with a turning radius:
+
+    >>> team = covey.Team([[900.0, 300.0]], [0.3], speeds=20.0, turn_radii=60.0, unit="m")
+    >>> team.turn_rates.round(4).tolist()
+    [0.3333]
     """
 
     positions: Floats

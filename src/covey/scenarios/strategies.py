@@ -11,13 +11,14 @@ from dataclasses import dataclass
 from functools import cached_property, reduce
 from inspect import Parameter, signature
 from operator import or_
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import GetCoreSchemaHandler, ValidationError, create_model
+from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler, ValidationError, create_model
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
 
 from covey.model import objectives
 from covey.players import names
+from covey.scenarios.about import TIME, About
 from covey.scenarios.values import (
     UNKNOWN_NAME,
     AtLeastOne,
@@ -53,16 +54,33 @@ class Entry:
 
 
 _PARAMETERS: Mapping[str, Any] = {
-    "starts": AtLeastOne,
-    "restarts": Whole,
-    "depth": Whole,
-    "replan_time": NotNegative,
-    "margin": Margin,
-    "offset": Offset,
-    "sequence": Sequence,
-    "sequences": Sequences,
-    "weights": Weights,
-    "measure": one_of(*objectives.MEASURES),
+    "starts": Annotated[AtLeastOne, About("Starts of the search for the first plan.", 32)],
+    "restarts": Annotated[Whole, About("Starts of a later search, beside the plan flown.", 8)],
+    "depth": Annotated[Whole, About("How many captures are answered; by default all.", 1)],
+    "replan_time": Annotated[
+        NotNegative, About("Time between two plans; 0: at every update.", 0.1, TIME)
+    ],
+    "margin": Annotated[
+        Margin, About("By which share another sequence must be better to be taken.", 0.05)
+    ],
+    "offset": Annotated[
+        Offset, About("Start of the pursuer, from the centre, in radii of the disk.", [0.5, 0.0])
+    ],
+    "sequence": Annotated[
+        Sequence, About("The order of capture; by default as the strategy chooses.", [2, 0, 1])
+    ],
+    "sequences": Annotated[
+        Sequences,
+        About("Sequences that may be drawn; by default all.", [[0, 1, 2], [2, 1, 0]]),
+    ],
+    "weights": Annotated[
+        Weights, About("Weight of each sequence; by default all are equal.", [3.0, 1.0])
+    ],
+    "measure": Annotated[
+        str,
+        one_of(*objectives.MEASURES),
+        About("Of what the mean is taken: the last capture, or the sum.", "last"),
+    ],
 }
 """The type of each parameter of a strategy or objective."""
 
@@ -76,6 +94,9 @@ def _entries(known: Mapping[str, Callable[..., Any]]) -> dict[str, Entry]:
 
 EVADERS, PURSUERS = _entries(names.TEAMS), _entries(names.PURSUERS)
 OBJECTIVES = _entries(objectives.OBJECTIVES)
+
+
+_NAMED = "a name, or a table with a name and parameters"
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,12 +119,18 @@ class Named:
             self.read, json_schema_input_schema=handler.generate_schema(written)
         )
 
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        """Describe the type in words too."""
+        return {**handler(schema), "description": _NAMED}
+
     def read(self, value: Any) -> Any:
         """Return the strategy or objective; raise all mistakes of its table."""
         if not isinstance(value, str | dict):
             if callable(value) or hasattr(value, "describe") or hasattr(value, "start"):
                 return value
-            raise wanted("a name, or a table with a name and parameters")
+            raise wanted(_NAMED)
         name, given = _split(value)
         if not isinstance(name, str) or name not in self.known:
             raise self._unknown(name, isinstance(value, dict))

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal, Self, TypeVar
 
 from pydantic import (
@@ -53,12 +53,14 @@ def one_of_words(allowed: Iterable[str]) -> str:
 class ValueType:
     """A type of value: in words, and a function that reads a value or returns None.
 
-    `written` is what may stand in the file where that is more than the values read.
+    `written` is what may stand in the file where that is more than the values read. `limits` are
+    the words in JSON schema, as far as they can be said there.
     """
 
     words: str
     read: Callable[[Any], object | None]
     written: Any = None
+    limits: Mapping[str, Any] = field(default_factory=dict)
 
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler
@@ -73,7 +75,7 @@ class ValueType:
         self, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
         """Describe the type in words too."""
-        return {**handler(schema), "description": self.words}
+        return {**handler(schema), **self.limits, "description": self.words}
 
     def _check(self, value: Any) -> object:
         plain = value.item() if getattr(value, "ndim", None) == 0 else value  # a NumPy number
@@ -121,7 +123,11 @@ class _SingleToo:
         self, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
         several = handler(schema)
-        return {"anyOf": [several["items"], several]}
+        words = several["items"].get("description", "a value")
+        return {
+            "anyOf": [several["items"], {**several, "minItems": 1, "uniqueItems": True}],
+            "description": f"{words}; or a list of different ones",
+        }
 
 
 _Value = TypeVar("_Value")
@@ -281,16 +287,40 @@ def one_of(*allowed: str) -> ValueType:
 
 _ANGLE = 'radians, or a string such as "90 deg" or "pi/2"'
 
-Positive = Annotated[float, ValueType("a finite number > 0", as_positive)]
-NotNegative = Annotated[float, ValueType("a finite number >= 0", as_not_negative)]
+# The same in JSON schema, which knows no nan.
+_NUMBERS = {"type": "number", "minimum": -LARGEST, "maximum": LARGEST}
+_ANGLES = [{"type": "string", "pattern": f"^(?:{each.pattern})$"} for each in (_DEGREES, _OF_PI)]
+_AT_LEAST_0, _ABOVE_0 = {"minimum": 0}, {"exclusiveMinimum": 0}
+_EVADER = {"type": "integer", "minimum": 0}
+
+Positive = Annotated[
+    float, ValueType("a finite number > 0", as_positive, limits={**_NUMBERS, **_ABOVE_0})
+]
+NotNegative = Annotated[
+    float, ValueType("a finite number >= 0", as_not_negative, limits={**_NUMBERS, **_AT_LEAST_0})
+]
 Margin = Annotated[
     float,
-    ValueType("a number >= 0 (inf is allowed)", lambda value: _at_least_zero(as_number(value))),
+    ValueType(
+        "a number >= 0 (inf is allowed)",
+        lambda value: _at_least_zero(as_number(value)),
+        limits=_AT_LEAST_0,
+    ),
 ]
-Duration = Annotated[float, ValueType("a number > 0 (inf: no limit)", _duration)]
-Whole = Annotated[int, ValueType("a whole number >= 0", as_whole)]
-AtLeastOne = Annotated[int, ValueType("a whole number >= 1", lambda value: as_whole(value) or None)]
-TeamSize = Annotated[int, ValueType(f"a whole number from 1 to {MOST_EVADERS}", _team_size)]
+Duration = Annotated[float, ValueType("a number > 0 (inf: no limit)", _duration, limits=_ABOVE_0)]
+Whole = Annotated[int, ValueType("a whole number >= 0", as_whole, limits=_AT_LEAST_0)]
+AtLeastOne = Annotated[
+    int,
+    ValueType("a whole number >= 1", lambda value: as_whole(value) or None, limits={"minimum": 1}),
+]
+TeamSize = Annotated[
+    int,
+    ValueType(
+        f"a whole number from 1 to {MOST_EVADERS}",
+        _team_size,
+        limits={"minimum": 1, "maximum": MOST_EVADERS},
+    ),
+]
 Flag = Annotated[
     bool,
     ValueType("true or false", lambda value: value if isinstance(value, bool) else None),
@@ -302,33 +332,62 @@ FileName = Annotated[
 UnitName = Annotated[
     str,
     ValueType(
-        'a short word such as "m"', lambda value: value if value and is_unit_name(value) else None
+        'a short word such as "m"',
+        lambda value: value if value and is_unit_name(value) else None,
+        limits={"minLength": 1},
     ),
 ]
-Point = Annotated[tuple[float, float], ValueType("a point [x, y] of two numbers", as_point)]
+Point = Annotated[
+    tuple[float, float],
+    ValueType(
+        "a point [x, y] of two numbers", as_point, limits={"prefixItems": [_NUMBERS, _NUMBERS]}
+    ),
+]
 Offset = Annotated[
     tuple[float, float], ValueType("a point [x, y] at most 1 from the origin", _offset)
 ]
-Heading = Annotated[float | str, ValueType(f'a heading: {_ANGLE}, or "{AWAY}"', _heading)]
+Heading = Annotated[
+    float | str,
+    ValueType(
+        f'a heading: {_ANGLE}, or "{AWAY}"',
+        _heading,
+        limits={"anyOf": [_NUMBERS, {"const": AWAY}, *_ANGLES]},
+    ),
+]
 Rate = Annotated[
     float,
     ValueType(
         f"a turn rate >= 0: {_ANGLE} (inf is allowed)",
         lambda value: _at_least_zero(as_angle(value)),
         written=float | str,
+        limits={"anyOf": [{"type": "number", **_AT_LEAST_0}, *_ANGLES]},
     ),
 ]
 Radius = Annotated[
     float,
     ValueType(
-        "a turning radius >= 0 (inf: can't turn)", lambda value: _at_least_zero(as_number(value))
+        "a turning radius >= 0 (inf: can't turn)",
+        lambda value: _at_least_zero(as_number(value)),
+        limits=_AT_LEAST_0,
     ),
 ]
-Sequence = Annotated[list[int], ValueType("a list of evaders' numbers", as_sequence)]
+Sequence = Annotated[
+    list[int],
+    ValueType("a list of evaders' numbers", as_sequence, limits={"items": _EVADER}),
+]
 Sequences = Annotated[
-    list[list[int]], ValueType("a list of sequences of evaders' numbers", _sequences)
+    list[list[int]],
+    ValueType(
+        "a list of sequences of evaders' numbers",
+        _sequences,
+        limits={"items": {"type": "array", "items": _EVADER, "minItems": 1}, "minItems": 1},
+    ),
 ]
 Weights = Annotated[
     list[float],
-    ValueType("a list of finite numbers >= 0", lambda value: _list_of(as_not_negative, value)),
+    ValueType(
+        "a list of finite numbers >= 0",
+        lambda value: _list_of(as_not_negative, value),
+        limits={"items": {**_NUMBERS, **_AT_LEAST_0}},
+    ),
 ]

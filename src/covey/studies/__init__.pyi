@@ -18,6 +18,8 @@ from .design.study_file import example_names as example_names
 from .design.study_file import example_path as example_path
 from .design.study_file import read_study as read_study
 from .paper.figures import Gains as Gains
+from .paper.figures import answer_gains as answer_gains
+from .paper.figures import raised as raised
 from .paper.figures import survival_ratios as survival_ratios
 from .paper.figures import turn_rate_gains as turn_rate_gains
 from .paper.report import report as report

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 import covey
 from covey.bounds.polygon_bound import last_capture_bound
-from covey.bounds.upper_end import without_turn_limits
+from covey.bounds.upper_end import earliest_end
 from covey.planning.guarantee import about_center
 from covey.players.pursuers.parallel_approach import after_flight, approaches
 from random_games import fleeing, games, random_game
@@ -31,8 +31,9 @@ def roaming(seed):
 
 
 def upper_end(team, disk):
-    """What the pursuer can be sure of: it takes the evaders to turn at once."""
-    return without_turn_limits(*about_center(team, disk), known=())
+    """What the pursuer can be sure of from the beginning."""
+    openings = () if disk.capture_radius > 0.0 else (0.0,)
+    return earliest_end(*about_center(team, disk), openings=openings)
 
 
 def answering(situation):

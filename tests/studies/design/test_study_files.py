@@ -124,7 +124,8 @@ def test_a_file_that_is_none_is_an_error(tmp_path):
 
 
 def test_the_papers_studies_come_along():
-    assert example_names() == ["fig4", "fig4-assured", "fig5", "objectives", "tournament"]
+    studies = ["fig4", "fig4-assured", "fig5", "fig5-contingent", "objectives", "tournament"]
+    assert example_names() == studies
     fig4, fig5 = (read_study(example_path(name)) for name in ("fig4", "fig5"))
     assert fig4.games == 500 * 2 * 2
     assert fig5.games == 500 * 4 * 4 * 2

@@ -13,7 +13,9 @@ from covey.studies import Study, StudyResult
 from covey.studies.paper.claims import DIFFERS, HOLDS, PARTLY, fig4_claims, fig5_claims
 from covey.studies.paper.figures import (
     Gains,
+    answer_gains,
     guarantee_ratios,
+    raised,
     survival_ratios,
     turn_rate_gains,
 )
@@ -56,6 +58,26 @@ def test_figures_take_their_games_by_the_fields_of_the_cases(tmp_path, sensing):
     assert gains.turn_rates == [1.0, 3.0]
     assert [each.value for each in gains.survival[3]] == pytest.approx([13.0, 15.0])
     assert [each.value for each in gains.ratios[3]] == pytest.approx([1.0, 15.0 / 13.0])
+
+
+def test_teams_that_answer_captures_are_compared_with_the_first_team_at_each_rate(tmp_path):
+    teams = ["iterative-open-loop", {"name": "contingent", "depth": 2}]
+    grid = {"team_size": [2, 3], "turn_rate": [3.0, 1.0], "sensing": "hidden"}
+    made_up = MadeUp(tmp_path, evaders=teams, **grid)
+    answering = made_up.study["grid"]["evaders"][1]
+    made_up.times += np.tile([each["evaders"] == answering for each in made_up.cases], 3)
+    found = answer_gains(made_up)
+    assert [each.value for each in found.survival[3]] == pytest.approx([14.0, 16.0])
+    assert [each.value for each in found.ratios[3]] == pytest.approx([14.0 / 13.0, 16.0 / 15.0])
+
+
+def test_their_line_is_the_papers_times_what_they_gain():
+    rates, survival = [1.0, 2.0], {5: [Estimate(4.0, 0.1)] * 2}
+    paper = Gains(rates, {3: [], 5: [Estimate(1.0, 0.0), Estimate(1.2, 0.012)]}, survival)
+    answers = Gains(rates, {5: [Estimate(1.1, 0.011), Estimate(1.5, 0.0)]}, survival)
+    (row,) = raised(paper, answers).ratios.values()
+    assert [each.value for each in row] == pytest.approx([1.1, 1.8])
+    assert [each.error for each in row] == pytest.approx([0.011, 0.018])
 
 
 def test_starts_with_a_stopped_game_are_left_out_of_fig4(tmp_path):

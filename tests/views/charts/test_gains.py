@@ -18,6 +18,23 @@ def test_the_curves_are_the_ratios():
     assert axes.get_ylim()[1] > 1.17
 
 
+def test_teams_that_answer_captures_are_broken_lines_in_the_colours_of_their_sizes():
+    curve, higher = Curve([1.0, 1.1], [0.0, 0.01]), Curve([1.05, 1.3], [0.02, 0.02])
+    panels = {"visible": {2: curve, 5: curve}, "hidden": {2: curve, 5: curve}}
+    figure = draw_gains([1.0, 2.0], panels, beside={"hidden": {5: higher}})
+    visible, hidden = figure.axes
+    drawn = {line.get_gid(): line for line in hidden.lines}
+    broken = drawn["answering team of 5"]
+    assert broken.is_dashed()
+    assert broken.get_ydata() == pytest.approx(higher.ratios)
+    assert broken.get_color() == drawn["team of 5"].get_color()
+    assert hidden.get_title(loc="right") == "broken: answering captures"
+    assert visible.get_title(loc="right") == ""
+    assert hidden.get_ylim()[1] > 1.3
+    with pytest.raises(InputError, match="expected 2 ratios and errors for 5 evaders"):
+        draw_gains([1.0, 2.0], panels, beside={"hidden": {5: Curve([1.0], [0.0])}})
+
+
 def test_a_curve_without_all_turning_rates_is_refused():
     with pytest.raises(InputError, match="expected 2 ratios and errors for 5 evaders"):
         draw_gains([1.0, 2.0], {"visible": {5: Curve([1.0], [0.0])}})

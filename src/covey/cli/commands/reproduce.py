@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 from cyclopts import Parameter
 
@@ -15,6 +15,9 @@ from covey.cli.shared.sources import read_scenario
 from covey.cli.show.film import save_film
 from covey.cli.show.study import print_study, require_all_games, run_with_progress
 from covey.cli.show.tables import print_game
+
+_STUDIES = ("fig4", "fig4-assured", "fig5", "fig5-contingent")
+_GAINS = ("ratio", "ratio_error", "mean", "mean_error")
 
 
 def reproduce(
@@ -33,6 +36,12 @@ def reproduce(
             help="Starts of Fig. 4 with the assured pursuer, which takes half a second each."
         ),
     ] = 50,
+    contingent_starts: Annotated[
+        int,
+        Parameter(
+            help="Starts of Fig. 5 with teams that answer captures, which take half a second each."
+        ),
+    ] = 50,
     workers: Annotated[
         int | None,
         Parameter(help="Processes on this machine; by default as many as it has cores."),
@@ -40,9 +49,10 @@ def reproduce(
 ) -> None:
     """Reproduce the paper: Figs. 1 to 5, and a report that sets our figures beside its claims.
 
-    Plays the game of Fig. 3 and the studies of Figs. 4 and 5, 18 200 games in all. report.md tells
+    Plays the game of Fig. 3 and the studies of Figs. 4 and 5, 19 000 games in all. report.md tells
     what came out; the figures stand beside it as .png, .svg and .pdf, and every game is in the
-    folders fig4, fig4-assured and fig5. A run that was stopped goes on where it was.
+    folders fig4, fig4-assured, fig5 and fig5-contingent. A run that was stopped goes on where it
+    was.
 
     Try:
 
@@ -50,16 +60,20 @@ def reproduce(
     """
     from covey.simulation.files import make_folder  # only now, as it loads NumPy
 
-    for folder in (output, *(output / name for name in ("fig4", "fig4-assured", "fig5"))):
+    for folder in (output, *(output / name for name in _STUDIES)):
         make_folder(folder)
     game = _reproduce_game(output)
     fig4 = _study("fig4", output, starts, workers)
-    fewer = assured_starts if starts is None else min(starts, assured_starts)
-    assured = _study("fig4-assured", output, fewer, workers)
+    assured = _study("fig4-assured", output, _fewer(assured_starts, starts), workers)
     _draw_ratios(output, fig4, assured)
     fig5 = _study("fig5", output, starts, workers)
-    _draw_gains(output, fig5)
-    write_text(output / "report.md", studies.report(game, fig4, assured, fig5))
+    contingent = _study("fig5-contingent", output, _fewer(contingent_starts, starts), workers)
+    _draw_gains(output, fig5, contingent)
+    write_text(output / "report.md", studies.report(game, fig4, assured, fig5, contingent))
+
+
+def _fewer(own: int, starts: int | None) -> int:
+    return own if starts is None else min(own, starts)
 
 
 def _reproduce_game(folder: Path) -> covey.Game:
@@ -91,16 +105,18 @@ def _draw_ratios(folder: Path, fig4: studies.StudyResult, assured: studies.Study
     )
 
 
-def _draw_gains(folder: Path, fig5: studies.StudyResult) -> None:
+def _draw_gains(folder: Path, fig5: studies.StudyResult, contingent: studies.StudyResult) -> None:
     """Draw Fig. 5, and write its numbers."""
     gains = studies.turn_rate_gains(fig5)
-    save_picture(views.draw_study(fig5), folder, "fig5")
+    beside = studies.raised(gains["hidden"], studies.answer_gains(contingent))
+    save_picture(_gains_figure(gains, beside), folder, "fig5")
+    rows = [(word, "iterative-open-loop", each) for word, each in gains.items()]
     write_csv(
         folder / "fig5.csv",
-        ("sensing", "team_size", "turn_rate", "ratio", "ratio_error", "mean", "mean_error"),
+        ("sensing", "evaders", "team_size", "turn_rate", *_GAINS),
         (
-            (word, size, rate, *each.ratios[size][k], *each.survival[size][k])
-            for word, each in gains.items()
+            (word, team, size, rate, *each.ratios[size][k], *each.survival[size][k])
+            for word, team, each in [*rows, ("hidden", "contingent", beside)]
             for size in each.ratios
             for k, rate in enumerate(each.turn_rates)
         ),
@@ -115,3 +131,17 @@ def _study(name: str, folder: Path, starts: int | None, workers: int | None) -> 
     print_study(result)
     require_all_games(result)
     return result
+
+
+def _gains_figure(gains: dict[str, studies.Gains], contingent: studies.Gains) -> Any:
+    panels = {f"{word} pursuer": _curves(each) for word, each in gains.items()}
+    return views.draw_gains(
+        contingent.turn_rates, panels, beside={"hidden pursuer": _curves(contingent)}
+    )
+
+
+def _curves(gains: studies.Gains) -> dict[int, views.Curve]:
+    return {
+        size: views.Curve([e.value for e in row], [e.error for e in row])
+        for size, row in gains.ratios.items()
+    }

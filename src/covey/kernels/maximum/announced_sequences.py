@@ -15,9 +15,10 @@ from covey.kernels.capture.path import SPEED, X, Y
 from covey.kernels.capture.pursuit import GrowingDisk, Pursuit
 from covey.kernels.capture.straight_legs import capture_on_line
 
-# A flight of the pursuer is a row (direction, closing speeds on the evader ahead and behind).
-TOWARDS_X, TOWARDS_Y, AHEAD, BEHIND = range(4)
-FLIGHT = 4
+# A flight of the pursuer is a row (direction, closing speeds on the evader ahead and behind,
+# gradient of the last capture by the position of the evader ahead).
+TOWARDS_X, TOWARDS_Y, AHEAD, BEHIND, GRADIENT_X, GRADIENT_Y = range(6)
+FLIGHT = 6
 
 _MOST_STEPS = 60
 
@@ -56,17 +57,37 @@ def raise_lower_bounds(
         (n, FLIGHT) scratch.
     """
     for row in range(len(sequences)):
-        sequence, aims = sequences[row], headings[row]
-        bounds[row] = _last_capture(evaders, pursuit, sequence, aims, flights)
-        for _ in range(_MOST_STEPS):
-            if bounds[row] >= cutoff:
-                break
-            _turn_along_gradient(sequence, aims, flights)
-            latest = _last_capture(evaders, pursuit, sequence, aims, flights)
-            gain = latest - bounds[row]
-            bounds[row] = max(bounds[row], latest)
-            if gain <= _SETTLED * latest:
-                break
+        bounds[row] = raise_lower_bound(
+            evaders, pursuit, cutoff, _SETTLED, sequences[row], headings[row], flights
+        )
+
+
+@compiled
+def raise_lower_bound(
+    evaders: Floats,
+    pursuit: Pursuit,
+    cutoff: float,
+    settled: float,
+    sequence: Ints,
+    headings: Floats,
+    flights: Floats,
+) -> float:
+    """Return the lower bound of one sequence, raised until it reaches the cutoff or is settled.
+
+    Parameters, and what is modified, are as for `raise_lower_bounds`; `settled` is the relative
+    gain of a step at which the bound is taken to be the maximum.
+    """
+    bound = _last_capture(evaders, pursuit, sequence, headings, flights)
+    for _ in range(_MOST_STEPS):
+        if bound >= cutoff:
+            break
+        turn_along_gradient(sequence, headings, flights)
+        latest = _last_capture(evaders, pursuit, sequence, headings, flights)
+        gain = latest - bound
+        bound = max(bound, latest)
+        if gain <= settled * latest:
+            break
+    return bound
 
 
 @compiled
@@ -117,17 +138,18 @@ def _along(flight: Floats, x: float, y: float) -> float:
 
 
 @compiled
-def _turn_along_gradient(sequence: Ints, headings: Floats, flights: Floats) -> None:
+def turn_along_gradient(sequence: Ints, headings: Floats, flights: Floats) -> None:
     """Turn each evader to where the gradient of the last capture by its velocity points.
 
     The k-th evader turns to λ_k n_k - λ_{k+1} n_{k+1}, see `plan_for_sequence`. Only the last
-    evader's heading is not used.
+    evader's heading is not used. The gradients by position are written to the `flights`.
     """
     costate, next_x, next_y = 1.0, 0.0, 0.0
     for k in range(len(sequence) - 1, -1, -1):
         rate = costate / flights[k, AHEAD]
         own_x, own_y = rate * flights[k, TOWARDS_X], rate * flights[k, TOWARDS_Y]
         gradient_x, gradient_y = own_x - next_x, own_y - next_y
+        flights[k, GRADIENT_X], flights[k, GRADIENT_Y] = gradient_x, gradient_y
         if gradient_x != 0.0 or gradient_y != 0.0:
             headings[sequence[k]] = math.atan2(gradient_y, gradient_x)
         costate, next_x, next_y = rate * flights[k, BEHIND], own_x, own_y

@@ -10,7 +10,7 @@ from typing import Any
 from covey.bounds import plan_for_sequence
 from covey.bounds.candidates import Candidates
 from covey.bounds.polygon_bound import last_capture_bound
-from covey.bounds.upper_end import without_turn_limits
+from covey.bounds.upper_end import UpperEnd, earliest_end
 from covey.model import PursuerDisk, Team
 from covey.planning import capture_times
 from covey.planning.guarantee import about_center
@@ -29,7 +29,8 @@ class AssuredPursuer:
     constant bearing, has captured everybody by a time that no flight of the evaders puts off: the
     fixed-sequence value for unlimited turn rates (docs/decisions/0006). This pursuer computes
     that time at every update, for the sequence that it follows and for all that may be better. It
-    takes another sequence only if that one is proven to be better. So its assurance never rises.
+    takes another sequence only if that one is proven to be better. A pursuer without a reach begins
+    with the turn rates as well (docs/decisions/0017). So its assurance never rises.
     `Game.assurances` records it.
 
     Notes
@@ -90,7 +91,7 @@ class _AssuredPolicy:
 
     def _begin(self, situation: Situation) -> Chase | Fly:
         """Announce the best sequence that is found, or one that assures the same."""
-        end = without_turn_limits(*about_center(situation.team, situation.pursuer), known=())
+        end = _first_end(situation.team, situation.pursuer)
         start = situation.pursuer.center + end.start
         self._sequence = tuple(situation.evaders[row] for row in end.sequence)
         self._assurance = situation.time + end.time
@@ -138,6 +139,16 @@ class _AssuredPolicy:
         if len(velocities) > 1:
             velocities.sort(key=lambda velocity: _proven_end(self._sequence, situation, velocity))
         return Fly(velocities[0], self._sequence, self._assurance)
+
+
+def _first_end(team: Team, disk: PursuerDisk) -> UpperEnd:
+    """Return the earliest end of a pursuer that flies by parallel approach from the beginning.
+
+    With a reach it compares ends that don't need turn limits where a flight may touch somebody, so
+    that it can't be sure of another.
+    """
+    openings = (0.0,) if disk.capture_radius == 0.0 else ()
+    return earliest_end(*about_center(team, disk), openings=openings)
 
 
 def _planned_end(sequence: Iterable[int], situation: Situation) -> float:

@@ -155,7 +155,7 @@ def _rows(
     seed: int,
 ) -> Iterator[YardstickRow]:
     team, disk = Team(positions, np.zeros(2), value.speeds, math.inf), PursuerDisk()
-    true, bounds = value.of(team, disk), bracket(team, disk, seed=seed)
+    true, bounds = value.of(team, disk), bracket(team, disk, depth=0, seed=seed)
     (v1, v2), (x1, y1, x2, y2) = value.speeds.tolist(), positions.ravel().tolist()
     known = (v1, v2, *start, x1, y1, x2, y2, true, bounds.lower, bounds.upper)
     pursuers: dict[str, PursuerStrategy] = {

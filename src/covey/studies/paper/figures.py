@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import math
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -17,7 +19,7 @@ class Gains(NamedTuple):
     """Mean survival times by turning rate, for one sensing."""
 
     turn_rates: list[float]  # ascending
-    ratios: dict[int, list[Estimate]]  # by team size: means over the mean at the lowest rate
+    ratios: dict[int, list[Estimate]]  # by team size: means over those of other cases
     survival: dict[int, list[Estimate]]  # by team size: the means themselves
 
 
@@ -57,18 +59,61 @@ def turn_rate_gains(result: StudyResult) -> dict[str, Gains]:
     grid = result.study["grid"]
     if grid["turn_rate"] == [None]:
         raise InputError("study: expected turn rates to compare, got one of turning radii")
-    return {word: _gains(result, word, sorted(grid["turn_rate"])) for word in grid["sensing"]}
+    found = {}
+    for word in grid["sensing"]:
+        cases = _cases(result, sensing=word)
+        found[word] = _gains(
+            result, cases, {size: [row[0]] * len(row) for size, row in cases.items()}
+        )
+    return found
 
 
-def _gains(result: StudyResult, sensing: str, rates: list[float]) -> Gains:
-    moments, ratios, means = result.moments, {}, {}
-    for size in result.study["grid"]["team_size"]:
-        cases = [
-            result.case_number(team_size=size, turn_rate=rate, sensing=sensing) for rate in rates
+def answer_gains(result: StudyResult) -> Gains:
+    """Return what the second team of a study gains over the first, at each turning rate."""
+    first, second = result.study["grid"]["evaders"]
+    return _gains(result, _cases(result, evaders=second), _cases(result, evaders=first))
+
+
+def raised(gains: Gains, answers: Gains) -> Gains:
+    """Return the gains of teams that answer captures, from the paper's and what answers gain.
+
+    The errors are those of independent estimates.
+    """
+    ratios = {
+        size: [_product(*pair) for pair in zip(gains.ratios[size], row, strict=True)]
+        for size, row in answers.ratios.items()
+    }
+    return Gains(gains.turn_rates, ratios, answers.survival)
+
+
+def _product(one: Estimate, other: Estimate) -> Estimate:
+    value = one.value * other.value
+    return Estimate(value, value * math.hypot(one.error / one.value, other.error / other.value))
+
+
+def _cases(result: StudyResult, **fields: Any) -> dict[int, list[int]]:
+    """Return the numbers of the cases with these fields, by team size, by ascending turn rate."""
+    grid = result.study["grid"]
+    return {
+        size: [
+            result.case_number(team_size=size, turn_rate=rate, **fields)
+            for rate in sorted(grid["turn_rate"])
         ]
-        ratios[size] = [moments.ratio(case, cases[0]) for case in cases]
-        means[size] = [moments.average(case) for case in cases]
-    return Gains(rates, ratios, means)
+        for size in grid["team_size"]
+    }
+
+
+def _gains(
+    result: StudyResult, cases: Mapping[int, list[int]], bases: Mapping[int, list[int]]
+) -> Gains:
+    """Return the means of cases, and their ratios to those of other cases."""
+    moments = result.moments
+    ratios = {
+        size: [moments.ratio(*pair) for pair in zip(row, bases[size], strict=True)]
+        for size, row in cases.items()
+    }
+    means = {size: [moments.average(case) for case in row] for size, row in cases.items()}
+    return Gains(sorted(result.study["grid"]["turn_rate"]), ratios, means)
 
 
 def _by_case(result: StudyResult, column: str) -> Floats:

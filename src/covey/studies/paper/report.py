@@ -11,7 +11,9 @@ from covey.model.validation import Floats
 from covey.simulation import Game
 from covey.studies.paper.claims import AT_ONE, Claim, fig4_claims, fig5_claims
 from covey.studies.paper.figures import (
+    HIDDEN,
     Gains,
+    answer_gains,
     both_times,
     guarantee_ratios,
     survival_ratios,
@@ -46,16 +48,23 @@ What the paper leaves open had to be decided, and some of it moves the figures.
 """
 
 
-def report(game: Game, fig4: StudyResult, assured: StudyResult, fig5: StudyResult) -> str:
+def report(
+    game: Game,
+    fig4: StudyResult,
+    assured: StudyResult,
+    fig5: StudyResult,
+    contingent: StudyResult,
+) -> str:
     """Return the report. It shows fig3.svg, fig4.svg and fig5.svg from its own folder."""
     ratios, gains = survival_ratios(fig4), turn_rate_gains(fig5)
     sections = [
-        _head(fig4, assured, fig5),
+        _head(fig4, assured, fig5, contingent),
         _claims([*fig4_claims(ratios), *fig5_claims(gains)]),
         _fig3(game),
         _fig4(ratios, guarantee_ratios(fig4)),
         _assured(fig4, assured),
-        _fig5(gains),
+        _fig5(gains, contingent.study["starts"]),
+        _contingent(contingent),
         _definitions(fig4),
         _again(fig4, fig5),
     ]
@@ -149,7 +158,7 @@ starts:
 {_table(heads, rows)}"""
 
 
-def _fig5(gains: Mapping[str, Gains]) -> str:
+def _fig5(gains: Mapping[str, Gains], starts: int) -> str:
     tables = "\n".join(_gains_table(word, each) for word, each in gains.items())
     return f"""\
 ## Fig. 5: what a higher turning rate brings
@@ -157,18 +166,35 @@ def _fig5(gains: Mapping[str, Gains]) -> str:
 ![Mean survival time over the turning rate](fig5.svg)
 
 *Mean survival time over that at the lowest turning rate, from the same starts. Bars: 95 %
-confidence by the delta method for the ratio of two paired means.*
+confidence by the delta method for the ratio of two paired means. Broken lines: teams that answer
+captures, the solid lines times the ratios of the last table here, from {starts} starts.*
 
 {tables}"""
 
 
-def _gains_table(word: str, gains: Gains) -> str:
+def _contingent(contingent: StudyResult) -> str:
+    """Return the table of teams that answer captures, relative to the paper's."""
+    depth = contingent.study["grid"]["evaders"][1]["depth"]
+    starts = contingent.study["starts"]
+    return f"""\
+A team that answers captures plans, too, what those left do after the next {depth} captures. The
+ratios are to the paper's team at the same turning rate, from the same {starts} starts. The pursuer
+is hidden: a visible one that is committed may never capture everybody of such a team.
+
+{_gains_table(HIDDEN, answer_gains(contingent), skipped=0)}"""
+
+
+def _gains_table(word: str, gains: Gains, skipped: int = 1) -> str:
     rows = [
-        (str(size), _estimate(gains.survival[size][0]), *(_estimate(each) for each in row[1:]))
+        (
+            str(size),
+            _estimate(gains.survival[size][0]),
+            *(_estimate(each) for each in row[skipped:]),
+        )
         for size, row in gains.ratios.items()
     ]
     rates = [f"{rate / math.pi:g} π" for rate in gains.turn_rates]
-    heads = ("N", f"mean time at {rates[0]}", *(f"ratio at {rate}" for rate in rates[1:]))
+    heads = ("N", f"mean time at {rates[0]}", *(f"ratio at {rate}" for rate in rates[skipped:]))
     return f"Against a {word} pursuer:\n\n{_table(heads, rows)}"
 
 

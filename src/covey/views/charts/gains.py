@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -32,6 +32,7 @@ def draw_gains(
     turn_rates: Sequence[float],
     panels: Mapping[str, Mapping[int, Curve]],
     *,
+    beside: Mapping[str, Mapping[int, Curve]] | None = None,
     ax: Axes | None = None,
     title: str | None = None,
     width: float | None = None,
@@ -44,6 +45,8 @@ def draw_gains(
         (K,) in ascending order, radians per time.
     panels
         For each panel, by its title, the curve of each team size.
+    beside
+        For some panels, by their titles, curves of teams that answer captures: broken lines.
     ax
         Axes in whose place the panels are drawn. Default: a new figure.
     title
@@ -61,17 +64,21 @@ def draw_gains(
     InputError
         If a curve lacks a ratio or an error for a turning rate.
     """
-    for curves in panels.values():
+    answering = beside or {}
+    every = [*panels.values(), *answering.values()]
+    for curves in every:
         for size, curve in curves.items():
             if not len(curve.ratios) == len(curve.errors) == len(turn_rates):
                 raise InputError(
                     f"panels: expected {len(turn_rates)} ratios and errors for {size} evaders"
                 )
-    top = _top(panels)
+    top = _top(every)
     sheet = sheet_of(ax, title, width or width_of_panels(len(panels)))
     page, all_axes = panels_in_a_row(list(panels), _SIDE, _HEADROOM, sheet)
-    for axes, curves in zip(all_axes, panels.values(), strict=True):
+    for axes, (panel, curves) in zip(all_axes, panels.items(), strict=True):
         _draw_panel(axes, turn_rates, curves)
+        if panel in answering:
+            _draw_broken_lines(axes, turn_rates, answering[panel], list(curves))
         axes.set_ylim(2.0 - top if top < 1.02 else 0.99, top)
     first = all_axes[0]
     handles, labels = first.get_legend_handles_labels()
@@ -80,10 +87,10 @@ def draw_gains(
     return page.figure
 
 
-def _top(panels: Mapping[str, Mapping[int, Curve]]) -> float:
+def _top(panels: Iterable[Mapping[int, Curve]]) -> float:
     ends = [
         float(np.max(np.add(curve.ratios, curve.errors)))
-        for curves in panels.values()
+        for curves in panels
         for curve in curves.values()
     ]
     return 1.0 + 1.06 * (max(ends) - 1.0)
@@ -107,6 +114,30 @@ def _draw_panel(axes: Axes, turn_rates: Sequence[float], curves: Mapping[int, Cu
     axes.set_xlim(left=0.0)
     axes.set_xlabel(r"maximum turning rate $\omega$ (rad/s)", labelpad=2)
     axes.spines[["top", "right"]].set_visible(False)
+
+
+def _draw_broken_lines(
+    axes: Axes, turn_rates: Sequence[float], curves: Mapping[int, Curve], sizes: list[int]
+) -> None:
+    """Draw curves in the colours that their team sizes have in the panel."""
+    for size, curve in curves.items():
+        series = style.team_size_series(sizes.index(size), size) | {"label": "_no entry"}
+        axes.errorbar(
+            turn_rates,
+            curve.ratios,
+            yerr=curve.errors,
+            markersize=0.6 * style.EVADER_SIZE,
+            linewidth=style.EVADER_LINE,
+            linestyle=(0.0, (3.0, 1.5)),
+            gid=f"answering team of {size}",
+            **series,
+        )
+    axes.set_title(
+        "broken: answering captures",
+        loc="right",
+        pad=3,
+        fontsize=style.SMALL_TEXT_SIZE,
+    )
 
 
 def _rate_text(rate: float) -> str:
