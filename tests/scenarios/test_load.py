@@ -176,7 +176,7 @@ def test_a_path_may_be_text(tmp_path):
 
 
 def test_the_heading_of_all_may_also_be_written_in_plural(tmp_path):
-    evaders = "[[team.evaders]]\nposition = [1, 0]\n"
+    evaders = "[[team.evaders]]\nposition = [0, 0]\n"  # the disk's centre: "away" is no heading
     singular, plural = (
         loaded(tmp_path, f"[team]\n{key} = 2.0\n{evaders}") for key in ("heading", "headings")
     )

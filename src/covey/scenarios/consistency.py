@@ -110,7 +110,8 @@ def _all_speeds(document: Document) -> Iterator[tuple[KeyPath, object]]:
 def _headings(document: Document) -> Iterator[Mistake]:
     seen = look(document, "pursuer", "last_seen", "position", default=[0.0, 0.0])
     center = as_point(look(document, "pursuer", "center", default=seen))
-    shared = look(document, "team", "heading", default=AWAY)
+    plural = look(document, "team", "headings", default=AWAY)
+    shared = look(document, "team", "heading", default=plural)
     for index in range(len(_evaders(document))):
         path = ("team", "evaders", index)
         heading = look(document, *path, "heading", default=shared)

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from covey.bounds import Bracket
 from covey.model import InputError
-from covey.model.validation import number, shown
+from covey.model.validation import shown
 from covey.planning import ContingentPlan, Plan
 from covey.simulation import Game
 from covey.studies import StudyResult
@@ -57,7 +57,8 @@ def draw(
     Raises
     ------
     InputError
-        If `x` is something else, or a study too few of whose games came to their end.
+        If `x` is something else, a study too few of whose games came to their end, or the width
+        isn't one of 1 to 100 inches.
 
     Notes
     -----
@@ -70,7 +71,7 @@ def draw(
     """
     options: dict[str, Any] = {} if title is None else {"title": title}
     if width is not None:
-        options["width"] = number("width", width, low=1.0, high=100.0)
+        options["width"] = width
     for kind, function in _DRAWN.items():
         if isinstance(x, kind):
             return function(x, ax=ax, **options)

@@ -25,7 +25,7 @@ from covey.views.kit.markers import (
     draw,
     draw_disk,
 )
-from covey.views.kit.page import Sheet
+from covey.views.kit.page import sheet_of
 from covey.views.kit.point_labels import footprint, label
 from covey.views.kit.sampling import joined, sampled
 from covey.views.kit.style import styled
@@ -92,7 +92,7 @@ def draw_capture(
     line = motion.path(max(capture, motion.turn_end))
     corners = disk.center + _reach(disk, 0.0) * np.array([[-1.0, -1.0], [1.0, 1.0]])
     camera = camera_around(joined([line, corners]), margin=0.12)
-    figure, axes = single_map(camera, Sheet(ax, title, width), ticks=False)
+    figure, axes = single_map(camera, sheet_of(ax, title, width), ticks=False)
     edges = _draw_disks(axes, disk, motion, capture)
     _draw_path(axes, motion, capture)
     marked = np.array([motion.at(t) for t in (0.0, motion.turn_end, capture)])

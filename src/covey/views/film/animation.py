@@ -48,7 +48,7 @@ class Film:
         self.game = game
         self._rate = number("fps", fps, low=0.0, strictly=True, high=50.0)
         self._length = number("seconds", seconds, low=0.0, strictly=True)
-        self._title, self._width = title, number("width", width, low=0.0, strictly=True)
+        self._title, self._width = title, number("width", width, low=1.0, high=100.0)
 
     def __repr__(self) -> str:
         """Return what is shown, and for how long, in one line."""

@@ -13,7 +13,7 @@ from covey.views.games.scene import draw_legend, draw_numbers, draw_scene, exten
 from covey.views.games.snapshot import Snapshot, end_of, snapshot_at, trajectories
 from covey.views.kit.close_up import fitting_scale
 from covey.views.kit.layout import camera_around, margins, name_axes, set_view
-from covey.views.kit.page import Sheet, new_page
+from covey.views.kit.page import new_page, sheet_of
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
 
@@ -50,7 +50,7 @@ class FrameRenderer:
         numbers, right = margins(camera)
         left = letter + numbers
         side = width - left - right
-        page = new_page(Sheet(None, title, width), bottom + side + caption)
+        page = new_page(sheet_of(None, title, width), bottom + side + caption)
         figure = page.figure
         figure.set_dpi(_DOTS_PER_INCH)
         self.axes = page.panel(left, bottom, side, side)

@@ -29,7 +29,7 @@ from covey.views.kit.markers import (
     draw_disk,
     pursuer_flying,
 )
-from covey.views.kit.page import Sheet
+from covey.views.kit.page import sheet_of
 from covey.views.kit.point_labels import number_and_time
 from covey.views.kit.sampling import joined, rim
 from covey.views.kit.style import COLUMN_WIDTH, styled
@@ -72,7 +72,7 @@ def draw_game(
     flown, points, unit = trajectories(game), capture_points(game), game.team.unit
     tracks = [*np.swapaxes(flown.evaders, 0, 1), flown.pursuer]
     write = time_format(end_of(game), game.team.units.time)
-    sheet = Sheet(ax, _outcome(game, write) if title is None else title, width)
+    sheet = sheet_of(ax, _outcome(game, write) if title is None else title, width)
     figure, axes = single_map(camera_around(joined(tracks)), sheet, unit)
     disk = rim(game.disk.center, game.disk.radius)
     texts = [

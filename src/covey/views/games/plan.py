@@ -23,7 +23,7 @@ from covey.views.kit.markers import (
     draw,
     draw_disk,
 )
-from covey.views.kit.page import Sheet
+from covey.views.kit.page import sheet_of
 from covey.views.kit.point_labels import number_and_time
 from covey.views.kit.sampling import joined, rim, sampled
 from covey.views.kit.style import COLUMN_WIDTH, styled
@@ -71,7 +71,7 @@ def draw_plan(
     if title is None:
         title = f"guaranteed survival {write(plan.survival_time)}"
     camera = camera_around(joined([lines, start]))
-    figure, axes = single_map(camera, Sheet(ax, title, width), team.unit)
+    figure, axes = single_map(camera, sheet_of(ax, title, width), team.unit)
     inset = close_up(axes, start, lines)
     texts = [
         number_and_time(i, write(time))

@@ -10,6 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from covey.model.validation import number
+
 TITLE = 0.22
 """Headroom for a title."""
 
@@ -35,9 +37,9 @@ class Sheet(NamedTuple):
 
 
 def sheet_of(ax: Axes | None, title: str | None, width: float) -> Sheet:
-    """Return a sheet of this width, inches, or of the size of the given axes."""
+    """Return a sheet of this width, 1 to 100 inches, or of the size of the given axes."""
     if ax is None:
-        return Sheet(ax, title, width)
+        return Sheet(ax, title, number("width", width, low=1.0, high=100.0))
     width, height = (size / ax.figure.dpi for size in ax.get_window_extent().size)
     return Sheet(ax, title, width, height)
 
