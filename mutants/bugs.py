@@ -85,7 +85,7 @@ KERNELS = (
     ),
     Bug(
         "one side of the border",
-        "kernels/maximum/fixed_sequence.py",
+        "kernels/bounds/fixed_sequence.py",
         "best >= nodes - 2",
         "best >= nodes - 1",
         "the search narrows beside the maximum; known sequences get too small a value",

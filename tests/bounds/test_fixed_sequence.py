@@ -10,7 +10,7 @@ import pytest
 from scipy.optimize import brentq, differential_evolution
 
 import covey
-from covey.kernels.maximum.fixed_sequence import (
+from covey.kernels.bounds.fixed_sequence import (
     best_on_grid,
     latest_in_sequence,
     lay_grid,

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from covey.bounds.fixed_sequence import SequencePlan, plan_for_sequence
-from covey.kernels.maximum.fixed_sequence import first_captures, lay_grid, new_grid, next_captures
+from covey.kernels.bounds.fixed_sequence import first_captures, lay_grid, new_grid, next_captures
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Floats
 from covey.planning.guarantee import pursuit_of

@@ -9,7 +9,7 @@ import numpy as np
 
 from covey.bounds.announced_sequence import sequences_on_grid
 from covey.bounds.polygon_bound import SPARSE, Opening, bound_near
-from covey.kernels.maximum.announced_sequences import FLIGHT, raise_lower_bounds
+from covey.kernels.bounds.announced_sequences import FLIGHT, raise_lower_bounds
 from covey.model import PursuerDisk, Team
 from covey.planning.guarantee import pursuit_of
 

@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.bounds.root_search import root_near
+from covey.kernels.bounds.fixed_sequence import latest_in_sequence, new_grids
 from covey.kernels.capture.pursuit import Pursuit
-from covey.kernels.maximum.fixed_sequence import latest_in_sequence, new_grids
 from covey.model import PursuerDisk, Team
 from covey.model.angles import wrap_angle
 from covey.model.display import one_line

@@ -18,8 +18,8 @@ import numpy as np
 
 from covey.bounds.fixed_sequence import SequencePlan
 from covey.bounds.reachable_hull import Corners, corners_of
+from covey.kernels.bounds.fixed_sequence import first_captures, next_captures
 from covey.kernels.capture.path import sample
-from covey.kernels.maximum.fixed_sequence import first_captures, next_captures
 from covey.model import PursuerDisk, Team
 from covey.model.angles import unit_vectors, wrap_angle
 from covey.model.validation import Floats, read_only

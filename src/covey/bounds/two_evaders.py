@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels.two_evaders import Grid, set_upper_bound, set_upper_bounds, sweep
+from covey.kernels.bounds.two_evaders import Grid, set_upper_bound, set_upper_bounds, sweep
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.validation import Floats, frozen_array, number, read_only, whole_number
 

@@ -13,16 +13,16 @@ from typing import NamedTuple
 
 from covey.kernels._jit import compiled, entry, inlined
 from covey.kernels.arrays import Floats, IntMatrix, Ints, IntVector, Matrix, Tensor, Vector
-from covey.kernels.capture.path import SPEED, X, Y
-from covey.kernels.capture.pursuit import GrowingDisk, Pursuit
-from covey.kernels.capture.straight_legs import capture_on_line
-from covey.kernels.maximum.announced_sequences import (
+from covey.kernels.bounds.announced_sequences import (
     GRADIENT_X,
     GRADIENT_Y,
     raise_lower_bound,
     turn_along_gradient,
 )
-from covey.kernels.maximum.corner_programme import CornerProgramme, latest_at_corners
+from covey.kernels.bounds.corner_programme import CornerProgramme, latest_at_corners
+from covey.kernels.capture.path import SPEED, X, Y
+from covey.kernels.capture.pursuit import GrowingDisk, Pursuit
+from covey.kernels.capture.straight_legs import capture_on_line
 
 _MOST_STEPS = 60
 
