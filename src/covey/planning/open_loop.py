@@ -10,6 +10,7 @@ from enum import StrEnum
 import numpy as np
 import numpy.typing as npt
 
+from covey.kernels.arrays import LARGEST_TABLE
 from covey.kernels.maximum.initial_guesses import CANDIDATES
 from covey.kernels.maximum.objective import Draws
 from covey.kernels.maximum.problem import CONVERGED, STALLED, STEPS_USED_UP, Iterate, Problem
@@ -26,9 +27,12 @@ from covey.model.validation import (
     whole_number,
 )
 from covey.planning.compiled_objective import checked_objective, compiled_objective
+from covey.planning.confirm import confirmed
 from covey.planning.guarantee import (
+    Guarantee,
     about_center,
     check_game,
+    deadline_after,
     pursuit_of,
     value_of_plan,
     worst_sequence,
@@ -38,6 +42,7 @@ from covey.planning.multistart import NONE, Ascents, Search
 DEFAULT_STARTS = 32
 """Starts of the first plan of a game that is played; `plan` by itself follows `default_starts`."""
 DEFAULT_TOLERANCE = 1e-9
+_SHARE_OF_SEARCH = 0.7  # of the time limit, for large teams; the rest is for their guarantee
 CRITICAL_WITHIN = 1e-6
 """Sequences within this of the guaranteed time, relative, count as critical."""
 
@@ -70,8 +75,9 @@ class Plan:
     goal_headings : numpy.ndarray
         (N,) headings φ after the turn, radians in [-π, π].
     survival_time : float
-        Guaranteed against any pursuer in the disk: the exact minimum over all capture sequences at
-        these turns, computed again after the search, from the turns alone.
+        Guaranteed against any pursuer in the disk: the minimum over all capture sequences at these
+        turns, computed again after the search, from the turns alone. Exact for up to 20 evaders;
+        for larger teams, where the minimum is not found in time, a proven lower bound of it.
     objective : LastCapture or TotalSurvival or ExpectedSurvival
         What the plan makes large.
     value : float
@@ -117,7 +123,7 @@ def plan(
     Parameters
     ----------
     team, disk
-        The state of the game; up to 20 evaders, each slower than the pursuer.
+        The state of the game; up to 50 evaders, for a sum up to 20, each slower than the pursuer.
     objective
         What is made large: by default the last capture, guaranteed; `TotalSurvival()`, the sum of
         all survival times, guaranteed; `ExpectedSurvival(...)`, the expected value of either over a
@@ -170,18 +176,36 @@ def plan(
         if starts is None
         else whole_number("starts", starts, low=1, high=MOST_STARTS)
     )
-    deadline = math.inf if time_limit is None else time.perf_counter() + time_limit
+    deadline = deadline_after(time_limit)
     compiled = compiled_objective(checked_objective(objective), n)
     problem = Problem(team.as_rows(), pursuit_of(disk), compiled)
     warm = None if warm_start is None else _iterate_of(warm_start, team)
     guesses = starts - (warm is not None)
-    search = Search(problem, tolerance, guess_uniforms(seed, guesses, n), deadline)
+    search = Search(
+        problem, tolerance, guess_uniforms(seed, guesses, n), _search_until(deadline, n)
+    )
     best = _best_of(search, warm, guesses)
+
+    # What the search found is computed again from the turns alone.
+    def guarantee_of(turns: Floats) -> Guarantee:
+        return worst_sequence(team, disk, turns, False, deadline)
+
+    if isinstance(objective, LastCapture) and n > LARGEST_TABLE:
+        best, guarantee = confirmed(search, best, guarantee_of, deadline)
+    else:
+        guarantee = guarantee_of(best.iterate.turns)
     if isinstance(objective, ExpectedSurvival):
         critical = _drawn(problem.objective.draws)
     else:
         critical = _critical(best)
-    return _plan_of(team, disk, objective, best, critical)
+    return _plan_of(team, disk, objective, best, critical, guarantee.time)
+
+
+def _search_until(deadline: float, n: int) -> float:
+    """Return when the search ends, so that time is left for the guarantee of a large team."""
+    now = time.perf_counter()
+    share = _SHARE_OF_SEARCH if n > LARGEST_TABLE else 1.0
+    return now + share * (deadline - now)
 
 
 def _best_of(search: Search, warm: Iterate | None, guesses: int) -> Ascents:
@@ -229,11 +253,14 @@ Weighted = list[tuple[tuple[int, ...], float]]
 
 
 def _plan_of(
-    team: Team, disk: PursuerDisk, objective: Objective, best: Ascents, critical: Weighted
+    team: Team,
+    disk: PursuerDisk,
+    objective: Objective,
+    best: Ascents,
+    critical: Weighted,
+    survival_time: float,
 ) -> Plan:
-    turns = best.iterate.turns
-    # What the search found is computed again from the turns alone.
-    survival_time = value = worst_sequence(team, disk, turns, total=False).time
+    turns, value = best.iterate.turns, survival_time
     if not isinstance(objective, LastCapture):
         value = value_of_plan(team, disk, turns, objective)
     return Plan(
