@@ -113,4 +113,4 @@ def test_too_many_evaders_for_the_exact_minimum():
 
 
 def test_one_sequence_of_many_evaders_is_no_trouble():
-    assert len(covey.capture_times(CROWD, DISK, np.zeros(51), range(21))) == 21
+    assert len(covey.capture_times(CROWD, DISK, np.zeros(51), range(51))) == 51

@@ -44,7 +44,7 @@ MOST_NEIGHBOURS = 8
 MOST_WEIGHT = 6
 """Largest weight of the visits of an evader, in the mean over the team."""
 
-STAGES, STAGES_OF_GUARANTEE = 3, 6
+STAGES, STAGES_OF_GUARANTEE = 2, 6
 """Stages after which the minimum for more than 20 evaders is given up: in a search, and for a
 guarantee, see `minimum.large`."""
 
@@ -59,7 +59,7 @@ class WalkMemory(NamedTuple):
     transitions: Int32Vector  # (n * n * 2**MOST_NEIGHBOURS,)
     neighbours: IntMatrix  # (n, MOST_NEIGHBOURS + 1) how many there are, and who
     shares: Vector  # (n,) of the evaders in the weight of a walk, 1 in the mean
-    solved: IntVector  # (2,) how many evaders the shares are for, 0: none; how many labels it took
+    solved: IntVector  # (3,) evaders that the shares are for, 0: none; labels, states of a walk
     stages: IntVector  # (1,) after which a minimum is given up
     sets: IntVector  # (.,) labels: captured set and last captured
     times: Vector  # (.,) earliest arrivals
@@ -132,7 +132,7 @@ def _walk_memory(size: int) -> WalkMemory:
         np.empty(size * walkers, np.int32),
         np.empty((size, MOST_NEIGHBOURS + 1), np.int64),
         np.empty(size),
-        np.zeros(2, np.int64),
+        np.zeros(3, np.int64),
         np.full(1, STAGES),
         np.empty(labels, np.int64),
         np.empty(labels),

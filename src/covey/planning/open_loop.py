@@ -163,7 +163,8 @@ def plan(
     dynamic programme over subsets finds the sequence that is missing (constraint generation). For
     the sum the states of the programme carry pairs (docs/decisions/0009). An expectation needs no
     search for the worst sequence, and its ascents are Newton's method. The programme takes
-    16 N 2^N bytes for each of up to four cores, for the sum 40 N 2^N.
+    16 N 2^N bytes for each of up to four cores, from eighteen evaders on up to 310 MB; for the sum
+    40 N 2^N.
     """
     check_game(team, disk)
     number("tolerance", tolerance, low=0.0, strictly=True)
@@ -221,8 +222,10 @@ def default_starts(n: int) -> int:
 
     Measured, docs/decisions/0008 and benchmarks/quality.py: the plan is then within 1e-3 of the
     best that 500 starts find in all games of three evaders, 99 of 100 of five and 92 of 100 of
-    eight. From thirteen evaders on it is what seconds allow.
+    eight. From thirteen evaders on it is what seconds allow, from twenty-one on what minutes allow.
     """
+    if n > 20:
+        return 4 if n <= 30 else 1
     if n > 12:
         return 24
     return 56 if n in (4, 5) else 100

@@ -25,7 +25,7 @@ def walking(size):
 
 def bounds_without_table(team, disk, turns, *, stages=12, warm=False, stop=0):
     """The lower bound, the upper bound, and the sequence that attains the upper bound."""
-    memory = walking(14)
+    memory = walking(22)
     if not warm:
         memory.walks.solved[0] = 0
     memory.walks.stages[0], memory.stop[0] = stages, stop
@@ -69,13 +69,15 @@ def test_what_the_call_before_has_learnt_changes_no_minimum():
 
 def test_a_search_that_ends_early_has_bounds_on_both_sides():
     open_ones = 0
-    for team, disk, turns in games(13, 24, seed=2):
+    for team, disk, turns in games(21, 4, seed=2):
         lower, upper, sequence = bounds_without_table(team, disk, turns, stop=FINISH)
-        expected = covey.guaranteed_survival(team, disk, turns).time
-        assert 0.0 < lower <= expected * (1.0 + 1e-12) and expected <= upper * (1.0 + 1e-12)
+        expected = covey.guaranteed_survival(team, disk, turns)
+        assert expected.exact
+        assert 0.0 < lower <= expected.time * (1.0 + 1e-12)
+        assert expected.time <= upper * (1.0 + 1e-12)
         assert covey.capture_times(team, disk, turns, sequence)[-1] == upper
         open_ones += lower < upper
-    assert open_ones > 6
+    assert open_ones > 1
 
 
 def ring(count):
@@ -125,15 +127,12 @@ def test_no_sequence_refutes_a_guarantee_of_thirty():
     assert found.exact
     moved, about = about_center(team, disk)
     paths, pursuit, times = paths_of(moved, about, turns), pursuit_of(about), np.empty(30)
-    worst = np.array(found.sequence)
-    for k in range(100_000):
-        if k % 2:
-            sequence = generator.permutation(30)
-        else:  # a stretch turned round or moved, where shorter sequences are likelier
-            a, b, c = sorted(generator.integers(0, 31, 3))
-            parts = worst[:a], worst[b:c], worst[a:b][:: 1 if k % 4 else -1], worst[c:]
-            sequence = np.concatenate(parts)
-        assert capture_times(paths, pursuit, sequence, times) >= found.time * (1.0 - 1e-12)
+    worst, least = np.array(found.sequence), found.time * (1.0 - 1e-12)
+    for sequence in generator.permuted(np.tile(worst, (80_000, 1)), axis=1):
+        assert capture_times(paths, pursuit, sequence, times) >= least
+    for a, b, c in np.sort(generator.integers(0, 31, (20_000, 3)), axis=1):
+        moved_stretch = np.concatenate([worst[:a], worst[b:c], worst[a:b], worst[c:]])
+        assert capture_times(paths, pursuit, moved_stretch, times) >= least
 
 
 def test_a_plan_is_the_same_without_a_table(monkeypatch):

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import GO_ON, MOST_NEIGHBOURS, Floats, Ints, padded
+from covey.kernels.arrays import MOST_NEIGHBOURS, Floats, Ints, padded
 from covey.kernels.capture.interception import capture_in_turn
 from covey.kernels.capture.path import TURN_END
 from covey.kernels.capture.pursuit import Pursuit, initial_disk
@@ -23,7 +23,14 @@ from covey.kernels.minimum.large.neighbours import (
     set_nearest,
     set_transitions,
 )
-from covey.kernels.minimum.large.scratch import LOWER, STATES, UPPER, LargeScratch
+from covey.kernels.minimum.large.scratch import (
+    ALWAYS_PROVEN,
+    LOWER,
+    STATES,
+    UPPER,
+    LargeScratch,
+    is_to_end,
+)
 from covey.kernels.minimum.large.search import FAILED, search_labels
 from covey.kernels.minimum.large.tours import improve, repair
 from covey.kernels.minimum.large.walks import least_walk, trace_walk
@@ -33,8 +40,8 @@ FIRST_ROUNDS = 6
 """Steps of the weights before the exact programme is tried; twice as many before it is tried again.
 """
 
-# Up to so many evaders the stages go on until the bounds are closed: the labels always suffice.
-_ALWAYS_PROVEN, _STAGES_UNTIL_PROVEN = 20, 12
+_STAGES_UNTIL_PROVEN = 12  # of teams whose minimum is always proven
+_MANY_LABELS, _MORE_LABELS, _ROUNDS_AGAIN = 2, 8, 3  # labels over the states of a least walk
 _KNOWN_LABELS, _FEWEST_LABELS = 4, 1 << 12
 _WORTH_IMPROVING = 1.1  # sequences up to so many times the best sequence are improved by moves
 _PATIENCE, _SHORTER = 4, 0.6  # steps without a better bound, after which steps are shorter
@@ -113,8 +120,17 @@ def _is_known(n: int, scratch: LargeScratch) -> bool:
 
 @inlined
 def _search_again(paths: Floats, pursuit: Pursuit, scratch: LargeScratch) -> bool:
-    """Try the exact programme with weights and neighbours as they are."""
+    """Try the exact programme with weights and neighbours almost as they are.
+
+    Where it took many labels the last time, a few least walks improve the weights first.
+    """
     n, memory = len(paths), scratch.memory
+    if memory.solved[1] > _MANY_LABELS * memory.solved[2]:
+        most = memory_bits(n, memory.neighbours)
+        if memory.solved[1] > _MORE_LABELS * memory.solved[2]:
+            most = min(most + 1, MOST_NEIGHBOURS)
+        if _walk_rounds(paths, pursuit, _ROUNDS_AGAIN, most, scratch):
+            return True
     bits = memory_bits(n, memory.neighbours)
     weight = set_weights(memory.shares[:n], scratch.weights)
     budget = max(_FEWEST_LABELS, _KNOWN_LABELS * memory.solved[1])
@@ -142,22 +158,23 @@ def _search(
 def _solve(paths: Floats, pursuit: Pursuit, scratch: LargeScratch) -> None:
     """Close the bounds, stage by stage, as far as the stages go."""
     n, memory = len(paths), scratch.memory
-    if not _is_known(n, scratch):
-        memory.solved[0], memory.solved[1] = n, 0
+    known = _is_known(n, scratch)
+    if not known:
+        memory.solved[0], memory.solved[1], memory.solved[2] = n, 0, 0
         set_nearest(paths, scratch.known[UPPER], memory.neighbours)
         for i in range(n):
             memory.shares[i] = 1.0
     rounds, bits = FIRST_ROUNDS, memory_bits(n, memory.neighbours)
-    most = bits
+    most = min(bits + known, MOST_NEIGHBOURS)
     set_transitions(n, bits, memory.neighbours, scratch.bits, memory.transitions)
-    stages = memory.stages[0] if n > _ALWAYS_PROVEN else _STAGES_UNTIL_PROVEN
+    stages = memory.stages[0] if n > ALWAYS_PROVEN else _STAGES_UNTIL_PROVEN
     for _ in range(stages):
         if _walk_rounds(paths, pursuit, rounds, most, scratch):
             return
         bits = memory_bits(n, memory.neighbours)
         weight = set_weights(memory.shares[:n], scratch.weights)
         budget = int(scratch.known[STATES])
-        if _search(paths, pursuit, weight, bits, budget, scratch) or scratch.stop[0] != GO_ON:
+        if is_to_end(n, scratch) or _search(paths, pursuit, weight, bits, budget, scratch):
             return
         rounds, most = 2 * rounds, min(most + 1, MOST_NEIGHBOURS)
 
@@ -175,11 +192,13 @@ def _walk_rounds(
     for i in range(n):
         scratch.direction[i] = 0.0
     for step in range(rounds):
-        if step > 0 and scratch.stop[0] != GO_ON:
+        if step > 0 and is_to_end(n, scratch):
             break
         bits = memory_bits(n, memory.neighbours)
         weight = set_weights(memory.shares[:n], scratch.weights)
+        before = known[STATES]
         lower, end = least_walk(paths, pursuit, weight, bits, scratch)
+        memory.solved[2] = int(known[STATES] - before)
         if end < 0:
             known[LOWER] = known[UPPER]
             return True

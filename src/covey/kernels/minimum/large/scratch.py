@@ -6,6 +6,8 @@ from typing import NamedTuple
 
 from covey.kernels._jit import inlined
 from covey.kernels.arrays import (
+    ABANDON,
+    FINISH,
     MOST_NEIGHBOURS,
     MOST_WEIGHT,
     Floats,
@@ -22,6 +24,11 @@ from covey.kernels.capture.straight_legs import LINES
 LOWER, UPPER, STATES = range(3)
 """Slots of what is known: all sequences take at least and some takes at most so long; how many
 states and labels were extended in this call."""
+
+
+ALWAYS_PROVEN = 20
+"""Evaders up to which the minimum is always proven: labels suffice, and take a fraction of a
+second."""
 
 
 class LargeScratch(NamedTuple):
@@ -78,3 +85,10 @@ def large_scratch(workspace: Workspace, n: int) -> LargeScratch:
 def slot_of(n: int, size: int, weight: int, i: int) -> int:
     """Return the first slot of the states of a weight and a last evader, a slot a memory."""
     return (weight * n + i) * size
+
+
+@inlined
+def is_to_end(n: int, scratch: LargeScratch) -> bool:
+    """Whether the minimum for n evaders is to be given up now."""
+    stop = scratch.stop[0]
+    return stop == ABANDON or (stop == FINISH and n > ALWAYS_PROVEN)

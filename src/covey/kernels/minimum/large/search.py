@@ -9,13 +9,13 @@ from __future__ import annotations
 import math
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import GO_ON, MOST_EVADERS, Floats, Int32s, Ints, padded
+from covey.kernels.arrays import MOST_EVADERS, Floats, Int32s, Ints, padded
 from covey.kernels.capture.interception import capture_in_turn
 from covey.kernels.capture.path import TURN_END
 from covey.kernels.capture.pursuit import Pursuit, disk_after
 from covey.kernels.capture.straight_legs import captures_on_lines
 from covey.kernels.minimum.large.neighbours import memory_of
-from covey.kernels.minimum.large.scratch import STATES, UPPER, LargeScratch, slot_of
+from covey.kernels.minimum.large.scratch import STATES, UPPER, LargeScratch, is_to_end, slot_of
 from covey.kernels.minimum.large.walks import earliest_in_turn
 
 FAILED = -1.0
@@ -61,7 +61,7 @@ def search_labels(
             last_label, slots = _extend(
                 paths, pursuit, bits, label, layer, last_label, slots, budget, scratch
             )
-            if last_label < 0 or scratch.stop[0] != GO_ON:
+            if last_label < 0 or is_to_end(n, scratch):
                 return FAILED
         scratch.known[STATES] += float(end - begin)
         begin, end = layer, last_label
