@@ -37,7 +37,7 @@ def test_a_workspace_holds_all_scratch_of_its_size(size, total):
     for _ in range(2):
         refine(problem, np.empty((0, size)), 0, options, -np.inf, iterate, memory)
         for used, buffer in zip(
-            memory.carved, (*memory[3:8], memory.ints, memory.int_rows), strict=True
+            memory.carved, (*memory[4:9], memory.ints, memory.int_rows), strict=True
         ):
             assert 0 < used <= len(buffer)
 
@@ -60,7 +60,9 @@ def test_a_thread_keeps_workspaces_and_one_large_one():
     assert workspace(SMALL + 1) is large
     assert workspace(SMALL + 2) is workspace(SMALL + 2)
     assert workspace(SMALL + 1) is not large
-    assert workspace(LARGEST_KEPT + 1) is not workspace(LARGEST_KEPT + 1)
+    assert workspace(LARGEST_KEPT + 1) is workspace(LARGEST_KEPT + 1)
+    sums = workspace(LARGEST_KEPT + 1, total=True)
+    assert workspace(LARGEST_KEPT + 1, total=True) is not sums
 
 
 def test_each_thread_has_its_own():

@@ -12,7 +12,7 @@ import covey
 PAIR = covey.Team([(1, 0), (0, 1)], [0.0, 0.0])
 DISK = covey.PursuerDisk()
 FAST = covey.Team([(1, 0), (0, 1)], [0.0, 0.0], [0.25, 1.0])
-CROWD = covey.Team(np.ones((21, 2)), np.zeros(21))
+CROWD = covey.Team(np.ones((51, 2)), np.zeros(51))
 
 
 BAD_TURNS = {
@@ -105,12 +105,12 @@ def test_an_evader_as_fast_as_the_pursuer():
 
 
 def test_too_many_evaders_for_the_exact_minimum():
-    message = "^team: expected at most 20 evaders, got 21"
+    message = "^team: expected at most 50 evaders, got 51"
     with pytest.raises(covey.InputError, match=message):
         covey.plan(CROWD, DISK)
     with pytest.raises(covey.InputError, match=message):
-        covey.guaranteed_survival(CROWD, DISK, np.zeros(21))
+        covey.guaranteed_survival(CROWD, DISK, np.zeros(51))
 
 
 def test_one_sequence_of_many_evaders_is_no_trouble():
-    assert len(covey.capture_times(CROWD, DISK, np.zeros(21), range(21))) == 21
+    assert len(covey.capture_times(CROWD, DISK, np.zeros(51), range(51))) == 51

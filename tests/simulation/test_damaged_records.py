@@ -273,10 +273,10 @@ def test_more_evaders_than_can_play_are_refused():
                 "disk_radii",
             )
         },
-        team=RECORDS[5].team.take(np.zeros(21, np.int64)),
-        critical_sequences=np.arange(21)[None],
+        team=RECORDS[5].team.take(np.zeros(51, np.int64)),
+        critical_sequences=np.arange(51)[None],
     )
-    with pytest.raises(covey.InputError, match="team: expected at most 20 evaders, got 21"):
+    with pytest.raises(covey.InputError, match="team: expected at most 50 evaders, got 51"):
         read_game(written(crowd), "a.parquet")
 
 

@@ -32,6 +32,41 @@ _LINE = 8  # floats in a line of the processor's cache
 _LANES = 4  # floats in a register of the processor
 
 
+MOST_EVADERS = 50
+"""Largest team: a set and a last captured evader are one integer."""
+
+LARGEST_TABLE = 17
+"""Evaders up to which the minimum over all sequences keeps a table of all sets."""
+
+MOST_NEIGHBOURS = 8
+"""Evaders that a walk of a larger team remembers at most, see `minimum.large`."""
+
+MOST_WEIGHT = 6
+"""Largest weight of the visits of an evader, in the mean over the team."""
+
+STAGES, STAGES_OF_GUARANTEE = 2, 6
+"""Stages after which the minimum for more than 20 evaders is given up: in a search, and for a
+guarantee, see `minimum.large`."""
+
+_LABELS = 1 << 23
+
+
+class WalkMemory(NamedTuple):
+    """Memory of the minimum for large teams, see `minimum.large`; empty for small teams."""
+
+    values: Vector  # ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory
+    steps: Int32Vector  # likewise: last and memory before
+    transitions: Int32Vector  # (n * n * 2**MOST_NEIGHBOURS,)
+    neighbours: IntMatrix  # (n, MOST_NEIGHBOURS + 1) how many there are, and who
+    shares: Vector  # (n,) of the evaders in the weight of a walk, 1 in the mean
+    solved: IntVector  # (3,) evaders that the shares are for, 0: none; labels, states of a walk
+    stages: IntVector  # (1,) after which a minimum is given up
+    sets: IntVector  # (.,) labels: captured set and last captured
+    times: Vector  # (.,) earliest arrivals
+    before: Int32Vector  # (.,) the label before
+    table: Int32Vector  # (.,) hash table of labels
+
+
 @kept
 class Workspace(NamedTuple):
     """Memory for the scratch of kernels. Python owns it; kernels carve their arrays from it.
@@ -43,6 +78,7 @@ class Workspace(NamedTuple):
 
     size: int  # n: evaders that the scratch has room for
     total: bool  # whether there is room for minima of sums, too
+    largest_table: int  # evaders up to which the minimum keeps a table of all sets
     carved: IntVector  # (7,) how much of each of the following is in use
     floats: Vector  # (.,)
     rows: Matrix  # (., n)
@@ -52,6 +88,7 @@ class Workspace(NamedTuple):
     ints: IntVector  # (.,)
     int_rows: IntMatrix  # (., n)
     slots: Int32Vector  # (2**n,) zeros at first; carved as a whole
+    walks: WalkMemory
     stop: IntVector  # (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON`
 
 
@@ -62,23 +99,45 @@ GO_ON, FINISH, ABANDON = range(3)
 FLOATS, ROWS, WIDE_ROWS, PATH_ROWS, PADDED_ROWS, INTS, INT_ROWS = range(7)
 
 
-def new_workspace(size: int, total: bool = False) -> Workspace:
+def new_workspace(size: int, total: bool = False, largest_table: int = LARGEST_TABLE) -> Workspace:
     """Allocate a workspace for teams of up to `size` evaders."""
-    sets = 1 << size
-    states = size << size
+    table = min(size, largest_table)
+    sets = 1 << table
+    states = size << size if total else table << table
     return Workspace(
         size,
         total,
+        largest_table,
         np.zeros(7, np.int64),
         _aligned(1, states * (3 if total else 1) + 64 * (size + 8))[0],
         _aligned(16 * size + 40, size),
         _aligned(size + 2, size + 2),
         _aligned(4 * size, PATH),
-        _aligned(sets + size + 16, -(-size // _LANES) * _LANES),
-        np.zeros(sets + (states if total else 0) + 16 * (size + 8), np.int64),
+        _aligned(sets + size + 24, -(-size // _LANES) * _LANES),
+        np.zeros(sets + (states if total else 0) + 24 * (size + 8), np.int64),
         np.zeros((4 * size + 8, size), np.int64),
         np.zeros(sets, np.int32),
+        _walk_memory(size if size > largest_table else 0),
         np.zeros(1, np.int64),
+    )
+
+
+def _walk_memory(size: int) -> WalkMemory:
+    """Allocate memory for large teams. The system hands out pages where they are first used."""
+    walkers = size << MOST_NEIGHBOURS
+    states, labels = (MOST_WEIGHT * size + 1) * walkers, _LABELS if size > 0 else 0
+    return WalkMemory(
+        np.empty(states),
+        np.empty(states, np.int32),
+        np.empty(size * walkers, np.int32),
+        np.empty((size, MOST_NEIGHBOURS + 1), np.int64),
+        np.empty(size),
+        np.zeros(3, np.int64),
+        np.full(1, STAGES),
+        np.empty(labels, np.int64),
+        np.empty(labels),
+        np.empty(labels, np.int32),
+        np.empty(2 * labels, np.int32),
     )
 
 

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
+import time
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels.arrays import Workspace
+from covey.kernels.arrays import LARGEST_TABLE, MOST_EVADERS, STAGES_OF_GUARANTEE, Workspace
 from covey.kernels.capture.path import PATH, set_paths
 from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.capture.sequence import capture_times as sequence_times
 from covey.kernels.maximum.problem import Problem
-from covey.kernels.maximum.values import mean_over_draws, minimum_over_sequences
-from covey.kernels.minimum.last_capture import MOST_EVADERS
+from covey.kernels.maximum.values import mean_over_draws
+from covey.kernels.minimum.inner_minimum import guarantee
 from covey.model import (
     ExpectedSurvival,
     InputError,
@@ -25,7 +26,7 @@ from covey.model import (
     TotalSurvival,
 )
 from covey.model.display import html_table
-from covey.model.validation import Floats, checked_array, permutation, require_kind, shown
+from covey.model.validation import Floats, checked_array, number, permutation, require_kind, shown
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.long_calls import interceptions_of_minimum, interruptible
 from covey.planning.workspace import workspace
@@ -33,15 +34,17 @@ from covey.planning.workspace import workspace
 
 @dataclass(frozen=True)
 class Guarantee:
-    """A guaranteed survival time, or sum of survival times, and a sequence that attains it.
+    """A guaranteed survival time, or sum of survival times, and the worst sequence known.
 
     Attributes
     ----------
     time : float
-        The earliest time by which a pursuer in the disk can capture everybody; for `TotalSurvival`
-        the least sum of all survival times.
+        No pursuer in the disk captures everybody earlier; for `TotalSurvival` no sum of all
+        survival times is smaller. Always guaranteed.
     sequence : tuple of int
-        A capture sequence that attains `time`.
+        A capture sequence that attains `upper`.
+    upper : float
+        What the sequence comes to; `time` where the guarantee is exact.
 
     Examples
     --------
@@ -55,9 +58,16 @@ class Guarantee:
 
     time: float
     sequence: tuple[int, ...]
+    upper: float
+
+    @property
+    def exact(self) -> bool:
+        """Whether `time` is the exact minimum over all capture sequences."""
+        return self.time == self.upper
 
     def _repr_html_(self) -> str:
-        return html_table("Guarantee", {"time": [self.time], "sequence": [self.sequence]})
+        columns = {"time": [self.time], "upper": [self.upper], "sequence": [self.sequence]}
+        return html_table("Guarantee", columns)
 
 
 def pursuit_of(disk: PursuerDisk) -> Pursuit:
@@ -87,8 +97,8 @@ def check_game(team: Team, disk: PursuerDisk) -> None:
     check_players(team, disk)
     if len(team) > MOST_EVADERS:
         raise InputError(
-            f"team: expected at most {MOST_EVADERS} evaders, got {len(team)}; the exact minimum "
-            f"over all capture sequences needs 16 N 2^N bytes, so split the team"
+            f"team: expected at most {MOST_EVADERS} evaders, got {len(team)}; the search over all "
+            f"capture sequences serves no larger team, so split the team"
         )
 
 
@@ -111,11 +121,11 @@ def longest_game(team: Team, disk: PursuerDisk) -> float:
     offsets = team.positions - disk.center
     farthest = float(np.hypot(offsets[:, 0], offsets[:, 1]).max()) + disk.radius
     fastest = float(team.speeds.max())
-    time = 0.0
+    longest = 0.0
     for _ in range(len(team)):
-        gap = 2.0 * farthest + (disk.speed + fastest) * time
-        time += gap / (disk.speed - fastest)
-    return time
+        gap = 2.0 * farthest + (disk.speed + fastest) * longest
+        longest += gap / (disk.speed - fastest)
+    return longest
 
 
 def capture_times(
@@ -169,23 +179,28 @@ def guaranteed_survival(
     turns: npt.ArrayLike,
     *,
     objective: LastCapture | TotalSurvival | str = LastCapture(),  # noqa: B008 frozen
+    time_limit: float | None = None,
 ) -> Guarantee:
-    """Survival time that a plan guarantees: the exact minimum over all capture sequences.
+    """Survival time that a plan guarantees: the minimum over all capture sequences.
 
     Parameters
     ----------
     team, disk
-        The state of the game; up to 20 evaders.
+        The state of the game; up to 50 evaders, for a sum up to 20.
     turns
         (N,) signed turns δ, radians.
     objective
         What is guaranteed: the last capture, or `TotalSurvival()`, the sum of all survival times;
         or the name of either in scenario files.
+    time_limit
+        Seconds after which the search for the worst sequence of more than 17 evaders ends with what
+        it has proven. None: no limit.
 
     Returns
     -------
     Guarantee
-        The time and a sequence that attains it.
+        The time and the worst sequence. Exact for up to 20 evaders, and for most larger teams; else
+        a proven lower bound, and a sequence that bounds it from above.
 
     Raises
     ------
@@ -196,8 +211,10 @@ def guaranteed_survival(
     Notes
     -----
     The two inner minima of eq. (6), by dynamic programming over subsets (Held and Karp, 1962)
-    instead of N! sequences; memory 16 N 2^N bytes. For the sum a state needs pairs of the time and
-    the sum so far, docs/decisions/0009; memory 40 N 2^N bytes.
+    instead of N! sequences; memory 16 N 2^N bytes. From eighteen evaders on only those subsets are
+    kept that bounds from a relaxation don't rule out, docs/decisions/0016; memory up to 310 MB. For
+    the sum a state needs pairs of the time and the sum so far, docs/decisions/0009; memory
+    40 N 2^N bytes.
 
     Examples
     --------
@@ -209,6 +226,8 @@ def guaranteed_survival(
     (3.149, (1, 0, 2))
     """
     check_game(team, disk)
+    if time_limit is not None:
+        number("time_limit", time_limit, low=0.0)
     chosen = checked_objective(objective)
     if isinstance(chosen, ExpectedSurvival):
         raise InputError(
@@ -217,19 +236,32 @@ def guaranteed_survival(
         )
     total = chosen.measure == "total"
     checked = checked_array("turns", turns, (len(team),))
-    return worst_sequence(*about_center(team, disk), checked, total)
+    return worst_sequence(*about_center(team, disk), checked, total, deadline_after(time_limit))
 
 
-def worst_sequence(team: Team, disk: PursuerDisk, turns: Floats, total: bool) -> Guarantee:
-    """Return the guarantee of checked turns (N,); `total`: of the sum of all survival times."""
+def deadline_after(time_limit: float | None) -> float:
+    """Return the moment so many seconds from now, by `time.perf_counter`; None: inf."""
+    return math.inf if time_limit is None else time.perf_counter() + time_limit
+
+
+def worst_sequence(
+    team: Team, disk: PursuerDisk, turns: Floats, total: bool, deadline: float = math.inf
+) -> Guarantee:
+    """Return the guarantee of checked turns (N,); `total`: of the sum of all survival times.
+
+    At the deadline the search for a large team ends with what it has proven.
+    """
     n, evaders, pursuit = len(team), team.as_rows(), pursuit_of(disk)
     sequence = np.empty(n, np.int64)
 
-    def least(scratch: Workspace) -> float:
-        return minimum_over_sequences(evaders, turns, pursuit, total, math.inf, sequence, scratch)
+    def least(scratch: Workspace) -> tuple[float, float]:
+        scratch.walks.stages[0] = STAGES_OF_GUARANTEE
+        return guarantee(evaders, turns, pursuit, total, sequence, scratch)
 
-    time = interruptible(least, n, total, interceptions_of_minimum(n, total))
-    return Guarantee(time, tuple(sequence.tolist()))
+    if n <= LARGEST_TABLE:
+        deadline = math.inf
+    found = interruptible(least, n, total, interceptions_of_minimum(n, total), deadline)
+    return Guarantee(found[0], tuple(sequence.tolist()), found[1])
 
 
 def expected_survival(

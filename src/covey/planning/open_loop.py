@@ -10,6 +10,7 @@ from enum import StrEnum
 import numpy as np
 import numpy.typing as npt
 
+from covey.kernels.arrays import LARGEST_TABLE
 from covey.kernels.maximum.initial_guesses import CANDIDATES
 from covey.kernels.maximum.objective import Draws
 from covey.kernels.maximum.problem import CONVERGED, STALLED, STEPS_USED_UP, Iterate, Problem
@@ -28,9 +29,12 @@ from covey.model.validation import (
 )
 from covey.model.value import Value
 from covey.planning.compiled_objective import checked_objective, compiled_objective
+from covey.planning.confirm import confirmed
 from covey.planning.guarantee import (
+    Guarantee,
     about_center,
     check_game,
+    deadline_after,
     pursuit_of,
     value_of_plan,
     worst_sequence,
@@ -40,6 +44,7 @@ from covey.planning.multistart import NONE, Ascents, Search
 DEFAULT_STARTS = 32
 """Starts of the first plan of a game that is played; `plan` by itself follows `default_starts`."""
 DEFAULT_TOLERANCE = 1e-9
+_SHARE_OF_SEARCH = 0.7  # of the time limit, for large teams; the rest is for their guarantee
 CRITICAL_WITHIN = 1e-6
 """Sequences within this of the guaranteed time, relative, count as critical."""
 
@@ -85,8 +90,9 @@ class Plan(Value):
     goal_headings : numpy.ndarray
         (N,) headings φ after the turn, radians in [-π, π].
     survival_time : float
-        Guaranteed against any pursuer in the disk: the exact minimum over all capture sequences at
-        these turns, computed again after the search, from the turns alone.
+        Guaranteed against any pursuer in the disk: the minimum over all capture sequences at these
+        turns, computed again after the search, from the turns alone. Exact for up to 20 evaders;
+        for larger teams, where the minimum is not found in time, a proven lower bound of it.
     objective : LastCapture or TotalSurvival or ExpectedSurvival
         What the plan makes large.
     value : float
@@ -165,7 +171,7 @@ def plan(
     Parameters
     ----------
     team, disk
-        The state of the game; up to 20 evaders, each slower than the pursuer.
+        The state of the game; up to 50 evaders, for a sum up to 20, each slower than the pursuer.
     objective
         What is made large: by default the last capture, guaranteed; `TotalSurvival()`, the sum of
         all survival times, guaranteed; `ExpectedSurvival(...)`, the expected value of either over a
@@ -206,7 +212,8 @@ def plan(
     dynamic programme over subsets finds the sequence that is missing (constraint generation). For
     the sum the states of the programme carry pairs (docs/decisions/0009). An expectation needs no
     search for the worst sequence, and its ascents are Newton's method. The programme takes
-    16 N 2^N bytes for each of up to four cores, for the sum 40 N 2^N.
+    16 N 2^N bytes for each of up to four cores, from eighteen evaders on up to 310 MB; for the sum
+    40 N 2^N.
 
     Examples
     --------
@@ -229,19 +236,37 @@ def plan(
         if starts is None
         else whole_number("starts", starts, low=1, high=MOST_STARTS)
     )
-    deadline = math.inf if time_limit is None else time.perf_counter() + time_limit
+    deadline = deadline_after(time_limit)
     objective = checked_objective(objective)
     centered, about = about_center(team, disk)
     problem = Problem(centered.as_rows(), pursuit_of(about), compiled_objective(objective, n))
     warm = None if warm_start is None else _iterate_of(warm_start, team)
     guesses = starts - (warm is not None)
-    search = Search(problem, tolerance, guess_uniforms(seed, guesses, n), deadline)
+    search = Search(
+        problem, tolerance, guess_uniforms(seed, guesses, n), _search_until(deadline, n)
+    )
     best = _best_of(search, warm, guesses)
+
+    # What the search found is computed again from the turns alone.
+    def guarantee_of(turns: Floats) -> Guarantee:
+        return worst_sequence(centered, about, turns, False, deadline)
+
+    if isinstance(objective, LastCapture) and n > LARGEST_TABLE:
+        best, guarantee = confirmed(search, best, guarantee_of, deadline)
+    else:
+        guarantee = guarantee_of(best.iterate.turns)
     if isinstance(objective, ExpectedSurvival):
         critical = _drawn(problem.objective.draws)
     else:
         critical = _critical(best)
-    return _plan_of(team, disk, objective, best, critical)
+    return _plan_of(team, disk, objective, best, critical, guarantee.time)
+
+
+def _search_until(deadline: float, n: int) -> float:
+    """Return when the search ends, so that time is left for the guarantee of a large team."""
+    now = time.perf_counter()
+    share = _SHARE_OF_SEARCH if n > LARGEST_TABLE else 1.0
+    return now + share * (deadline - now)
 
 
 def _best_of(search: Search, warm: Iterate | None, guesses: int) -> Ascents:
@@ -257,8 +282,10 @@ def default_starts(n: int) -> int:
 
     Measured, docs/decisions/0008 and benchmarks/quality.py: the plan is then within 1e-3 of the
     best that 500 starts find in all games of three evaders, 99 of 100 of five and 92 of 100 of
-    eight. From thirteen evaders on it is what seconds allow.
+    eight. From thirteen evaders on it is what seconds allow, from twenty-one on what minutes allow.
     """
+    if n > 20:
+        return 4 if n <= 30 else 1
     if n > 12:
         return 24
     return 56 if n in (4, 5) else 100
@@ -289,11 +316,14 @@ Weighted = list[tuple[tuple[int, ...], float]]
 
 
 def _plan_of(
-    team: Team, disk: PursuerDisk, objective: Objective, best: Ascents, critical: Weighted
+    team: Team,
+    disk: PursuerDisk,
+    objective: Objective,
+    best: Ascents,
+    critical: Weighted,
+    survival_time: float,
 ) -> Plan:
-    turns = best.iterate.turns
-    # What the search found is computed again from the turns alone.
-    survival_time = value = worst_sequence(*about_center(team, disk), turns, total=False).time
+    turns, value = best.iterate.turns, survival_time
     if not isinstance(objective, LastCapture):
         value = value_of_plan(team, disk, turns, objective)
     return Plan(

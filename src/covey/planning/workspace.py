@@ -7,15 +7,18 @@ from __future__ import annotations
 
 import threading
 
-from covey.kernels.arrays import Workspace, new_workspace
+from covey.kernels.arrays import STAGES, Workspace, new_workspace
 from covey.kernels.contingent.scratch import TreeScratch, new_tree_scratch
+from covey.kernels.minimum.total_time import MOST_FOR_SUMS
+from covey.model import InputError
 from covey.model.validation import Ints
 
 SMALL = 14
 """Evaders up to which the workspaces of all sizes are kept: 6 MB, 16 MB with room for sums."""
 
 LARGEST_KEPT = 18
-"""Evaders up to which the last workspace is kept: 90 MB, 210 MB with room for sums."""
+"""Evaders up to which the last workspace with room for sums is kept: 210 MB. Without it is at most
+90 MB for a table, 310 MB for a large team."""
 
 _MOST_TREES = 16  # shapes of trees, of which the scratch is kept
 
@@ -28,16 +31,30 @@ def workspace(size: int, total: bool = False, stop: Ints | None = None) -> Works
     The next call with the same arguments in the same thread returns the same memory, so a workspace
     may be used for one call of a kernel at a time. With `stop` (1,), that is its flag, which ends
     long calls; otherwise nobody sets its flag.
+
+    Raises
+    ------
+    InputError
+        If the team is too large for sums.
     """
+    if total and size > MOST_FOR_SUMS:
+        raise InputError(
+            f"team: expected at most {MOST_FOR_SUMS} evaders for a sum of survival times, got "
+            f"{size}; its minimum over all capture sequences needs 40 N 2^N bytes, so split the "
+            f"team, or plan for LastCapture()"
+        )
     if stop is not None:
         return workspace(size, total)._replace(stop=stop)
-    if size > LARGEST_KEPT:
+    if total and size > LARGEST_KEPT:
         return new_workspace(size, total)
     kept: dict[tuple[int, bool], Workspace] = _kept.__dict__.setdefault("workspaces", {})
     if (size, total) not in kept:
         for large in [key for key in kept if min(key[0], size) > SMALL]:
             del kept[large]
         kept[size, total] = new_workspace(size, total)
+    # Results don't depend on the call before.
+    kept[size, total].walks.solved[0] = 0
+    kept[size, total].walks.stages[0] = STAGES
     return kept[size, total]
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from covey.kernels.minimum.last_capture import MOST_EVADERS
+from covey.kernels.arrays import MOST_EVADERS
 from covey.model.validation import is_slower
 from covey.scenarios.mistakes import KeyPath, Mistake, look, wanted_but_got
 from covey.scenarios.schema import PursuerSection, TeamSection

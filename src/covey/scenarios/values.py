@@ -22,7 +22,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
 
-from covey.kernels.minimum.last_capture import MOST_EVADERS
+from covey.kernels.arrays import MOST_EVADERS
 from covey.model import InputError
 from covey.model.validation import LARGEST, is_unit_name
 

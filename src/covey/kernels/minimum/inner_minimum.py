@@ -2,12 +2,27 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
-from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import Floats, Ints, Workspace, begin_carving, floats, ints, path_rows
+from covey.kernels._jit import compiled, entry, inlined
+from covey.kernels.arrays import (
+    Floats,
+    Ints,
+    IntVector,
+    Matrix,
+    Vector,
+    Workspace,
+    begin_carving,
+    floats,
+    ints,
+    path_rows,
+)
+from covey.kernels.capture.path import set_paths
 from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.minimum.labels import SubsetScratch, subset_scratch
+from covey.kernels.minimum.large.minimum import large_minimum
+from covey.kernels.minimum.large.scratch import LOWER, LargeScratch, large_scratch
 from covey.kernels.minimum.last_capture import min_last_capture
 from covey.kernels.minimum.total_time import TotalTimeScratch, min_total_time, total_time_scratch
 
@@ -15,7 +30,9 @@ from covey.kernels.minimum.total_time import TotalTimeScratch, min_total_time, t
 class InnerScratch(NamedTuple):
     """Arrays of the inner minimum."""
 
+    largest_table: int  # evaders up to which the table serves
     last_capture: SubsetScratch
+    large: LargeScratch  # for larger teams
     total_time: TotalTimeScratch  # empty where the workspace has no room for sums
     sequence: Ints  # (n,) for callers: one that attains the minimum
     times: Floats  # (n,) for callers: capture times of a sequence
@@ -26,9 +43,11 @@ class InnerScratch(NamedTuple):
 def inner_scratch(workspace: Workspace) -> InnerScratch:
     """Carve the scratch of the inner minimum, before all else."""
     begin_carving(workspace)
-    n = workspace.size
+    n, table = workspace.size, workspace.largest_table
     return InnerScratch(
-        subset_scratch(workspace, n),
+        table,
+        subset_scratch(workspace, min(n, table)),
+        large_scratch(workspace, n if n > table else 0),
         total_time_scratch(workspace, n if workspace.total else 0),
         ints(workspace, n),
         floats(workspace, n),
@@ -47,8 +66,58 @@ def inner_minimum(
 ) -> tuple[float, int]:
     """Return the minimum of the last capture or, with `total`, of the sum, if below `bound`.
 
-    Parameters, results and what is modified are as for `min_last_capture` and `min_total_time`.
+    Parameters, results and what is modified are as for `min_last_capture` and `min_total_time`; for
+    large teams as for `large_minimum`, which may give up before the minimum is proven.
     """
     if total:
         return min_total_time(paths, pursuit, bound, sequence, scratch.total_time)
+    if len(paths) > scratch.largest_table:
+        return large_minimum(paths, pursuit, bound, sequence, scratch.large)
     return min_last_capture(paths, pursuit, bound, sequence, scratch.last_capture)
+
+
+@compiled
+def guaranteed_minimum(
+    paths: Floats, pursuit: Pursuit, total: bool, sequence: Ints, scratch: InnerScratch
+) -> tuple[float, float]:
+    """Return a time or sum that no sequence beats, and that of the worst sequence that is found.
+
+    Both are the minimum, but for large teams of which the search gives up. `sequence` (n,) is
+    modified in place.
+    """
+    value, _ = inner_minimum(paths, pursuit, total, math.inf, sequence, scratch)
+    if len(paths) > scratch.largest_table and not total:
+        return scratch.large.known[LOWER], value
+    return value, value
+
+
+@entry
+def guarantee(
+    evaders: Matrix,
+    turns: Vector,
+    pursuit: Pursuit,
+    total: bool,
+    sequence: IntVector,
+    workspace: Workspace,
+) -> tuple[float, float]:
+    """Return a time or sum that turns guarantee, and that of the worst sequence that is found.
+
+    Parameters
+    ----------
+    evaders
+        (n, EVADER).
+    turns
+        (n,) signed turns, radians.
+    pursuit
+        The pursuer.
+    total
+        Whether the sum of all capture times is minimised; else the last capture.
+    sequence
+        (n,) the worst order that is found; modified in place.
+    workspace
+        With room for n evaders, and for sums where `total`; modified in place.
+    """
+    scratch = inner_scratch(workspace)
+    paths = scratch.paths[: len(turns)]
+    set_paths(evaders, turns, pursuit.speed, paths)
+    return guaranteed_minimum(paths, pursuit, total, sequence, scratch)

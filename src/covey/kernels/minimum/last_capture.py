@@ -23,9 +23,6 @@ from covey.kernels.minimum.labels import (
     trace_back,
 )
 
-MOST_EVADERS = 20
-"""Largest team the exact minimum serves: its tables take about 16 N 2^N bytes, 0.5 GB for 20."""
-
 # Added to the time of a sequence, they make a bound that this sequence beats.
 _SLACK, _LEAST = 1e-12, 1e-300
 

@@ -24,6 +24,9 @@ from covey.kernels.capture.path import TURN_END, VELOCITY_X, VELOCITY_Y
 from covey.kernels.capture.pursuit import Pursuit, disk_after, initial_disk
 from covey.kernels.capture.straight_legs import LINES, captures_on_lines, set_lines
 
+MOST_FOR_SUMS = 20
+"""Largest team that the minimum of sums serves: its tables take 24 N 2^N bytes, 0.5 GB for 20."""
+
 _ROUNDING = 1e-13
 
 

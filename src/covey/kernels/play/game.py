@@ -20,8 +20,7 @@ from covey.kernels.arrays import (
 from covey.kernels.capture.path import HEADING, X, Y
 from covey.kernels.library.layout import kept
 from covey.kernels.maximum.working_set import without
-from covey.kernels.minimum.inner_minimum import inner_scratch
-from covey.kernels.minimum.last_capture import min_last_capture
+from covey.kernels.minimum.inner_minimum import guaranteed_minimum, inner_scratch
 from covey.kernels.play.commitment import Commitment, commit
 from covey.kernels.play.policy import ReplanOptions, TeamMemory, replan_if_due
 from covey.kernels.play.rules import (
@@ -119,9 +118,7 @@ def write_row(
     if n > 0:
         scratch = inner_scratch(workspace)
         pursuit, worst = pursuit_from(state.disk, rules), scratch.sequence[:n]
-        log.guarantees[row], _ = min_last_capture(
-            state.paths[:n], pursuit, math.inf, worst, scratch.last_capture
-        )
+        log.guarantees[row], _ = guaranteed_minimum(state.paths[:n], pursuit, False, worst, scratch)
         for k in range(n):
             log.critical[row, k] = state.ids[worst[k]]
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from covey.kernels.minimum.last_capture import MOST_EVADERS
+from covey.kernels.arrays import MOST_EVADERS
 from covey.model import InputError, LastCapture
 from covey.model.validation import choice, shown, whole_number
 from covey.scenarios.values import Angle

@@ -1,0 +1,198 @@
+"""The exact programme, without a table of all sets: few labels keep the deadlines of `completions`.
+
+As in `last_capture`, the earliest arrival for each (captured set, last captured) is enough. Labels
+of sets of one size are looked up in a hash table.
+"""
+
+from __future__ import annotations
+
+import math
+
+from covey.kernels._jit import compiled, inlined
+from covey.kernels.arrays import MOST_EVADERS, Floats, Int32s, Ints, padded
+from covey.kernels.capture.interception import capture_in_turn
+from covey.kernels.capture.path import TURN_END
+from covey.kernels.capture.pursuit import Pursuit, disk_after
+from covey.kernels.capture.straight_legs import captures_on_lines
+from covey.kernels.minimum.large.neighbours import memory_of
+from covey.kernels.minimum.large.scratch import STATES, UPPER, LargeScratch, is_to_end, slot_of
+from covey.kernels.minimum.large.walks import earliest_in_turn
+
+FAILED = -1.0
+
+_SET = (1 << MOST_EVADERS) - 1
+# A product of 30 and 32 bits doesn't overflow.
+_LOW_BITS = 30
+_LOW = (1 << _LOW_BITS) - 1
+_MIX_LOW, _MIX_HIGH = 0x9E3779B1, 0x85EBCA77
+_SMALLEST = 1 << 10  # slots of a hash table
+
+
+@compiled
+def search_labels(
+    paths: Floats, pursuit: Pursuit, weight: int, bits: int, budget: int, scratch: LargeScratch
+) -> float:
+    """Return the least time of a sequence that takes less than the upper bound, else that bound.
+
+    Parameters
+    ----------
+    paths, pursuit, weight, bits
+        As for `least_walk`.
+    budget
+        How many labels may be kept.
+    scratch
+        With deadlines from `set_completions`. The best sequence is modified in place where one is
+        below the bound, and labels are.
+
+    Returns
+    -------
+    float
+        `FAILED` where there are more labels than the budget, or the call is to end.
+    """
+    n, memory, size = len(paths), scratch.memory, 1 << bits
+    budget = min(budget, len(memory.sets))
+    begin, end = 0, _first_labels(n, weight, size, scratch)
+    for _ in range(n - 1):
+        slots = _smallest_table(end - begin, memory.table)
+        for slot in range(slots):
+            memory.table[slot] = 0
+        layer = last_label = end
+        for label in range(begin, end):
+            last_label, slots = _extend(
+                paths, pursuit, bits, label, layer, last_label, slots, budget, scratch
+            )
+            if last_label < 0 or is_to_end(n, scratch):
+                return FAILED
+        scratch.known[STATES] += float(end - begin)
+        begin, end = layer, last_label
+    return _best_of(n, begin, end, scratch)
+
+
+@inlined
+def _first_labels(n: int, weight: int, size: int, scratch: LargeScratch) -> int:
+    """Label the sets of one evader; return how many there are."""
+    memory, count = scratch.memory, 0
+    for i in range(n):
+        arrival = scratch.first[i]
+        deadline = memory.values[slot_of(n, size, weight, i)]
+        if arrival < scratch.known[UPPER] and arrival <= deadline:
+            memory.sets[count] = i << MOST_EVADERS | 1 << i
+            memory.times[count], memory.before[count] = arrival, -1
+            count += 1
+    return count
+
+
+@inlined
+def _smallest_table(count: int, table: Int32s) -> int:
+    """Return how many slots a hash table has at first, if as many labels were in the last layer."""
+    slots = _SMALLEST
+    while slots < 2 * count:
+        slots *= 2
+    return min(slots, len(table))
+
+
+@compiled
+def _extend(
+    paths: Floats,
+    pursuit: Pursuit,
+    bits: int,
+    label: int,
+    layer: int,
+    last_label: int,
+    slots: int,
+    budget: int,
+    scratch: LargeScratch,
+) -> tuple[int, int]:
+    """Extend a label by the capture of each remaining evader.
+
+    Returns the end of the labels, -1 where there is no room, and the slots of the hash table.
+    """
+    n, size, memory, arrivals = len(paths), 1 << bits, scratch.memory, scratch.arrivals
+    captured, last = memory.sets[label] & _SET, memory.sets[label] >> MOST_EVADERS
+    count, weight = _set_remaining(n, captured, scratch)
+    disk = disk_after(paths, last, memory.times[label], pursuit)
+    captures_on_lines(scratch.lines, disk, arrivals[: padded(n)])
+    for k in range(count):
+        j = scratch.remaining[k]
+        begin = slot_of(n, size, weight, j)
+        latest, arrival = memory.values[begin], arrivals[j]
+        if arrival < paths[j, TURN_END]:
+            if earliest_in_turn(paths, j, disk) > latest:
+                continue
+            arrival = capture_in_turn(paths, j, disk)
+        if arrival > latest or arrival >= scratch.known[UPPER]:
+            continue
+        if arrival > memory.values[begin + memory_of(scratch.memory.neighbours, j, captured)]:
+            continue
+        if last_label == budget:
+            return -1, slots
+        key = j << MOST_EVADERS | captured | 1 << j
+        last_label = _enter(key, arrival, label, last_label, slots, scratch)
+        if 2 * (last_label - layer) > slots and slots < len(memory.table):
+            slots = _double(layer, last_label, slots, scratch)
+    return last_label, slots
+
+
+@inlined
+def _set_remaining(n: int, captured: int, scratch: LargeScratch) -> tuple[int, int]:
+    """Write who is not in a set; return how many they are and their weight."""
+    count, weight = 0, 0
+    for i in range(n):
+        if not captured >> i & 1:
+            scratch.remaining[count] = i
+            weight += scratch.weights[i]
+            count += 1
+    return count, weight
+
+
+@inlined
+def _enter(
+    key: int, arrival: float, label: int, last_label: int, slots: int, scratch: LargeScratch
+) -> int:
+    """Enter a label unless there is an earlier label; return the end of the labels."""
+    memory = scratch.memory
+    slot = _slot_of_key(key, slots, memory.sets, memory.table)
+    entered = memory.table[slot] - 1
+    if entered < 0:
+        entered, last_label = last_label, last_label + 1
+        memory.table[slot], memory.sets[entered] = entered + 1, key
+        memory.times[entered] = math.inf
+    if arrival < memory.times[entered]:
+        memory.times[entered], memory.before[entered] = arrival, label
+    return last_label
+
+
+@inlined
+def _slot_of_key(key: int, slots: int, sets: Ints, table: Int32s) -> int:
+    """Return the slot of a set and last captured, an empty slot where it has no label."""
+    mixed = (key & _LOW) * _MIX_LOW ^ (key >> _LOW_BITS) * _MIX_HIGH
+    slot = (mixed >> 16 ^ mixed >> 33) & (slots - 1)
+    while table[slot] > 0 and sets[table[slot] - 1] != key:
+        slot = (slot + 1) & (slots - 1)
+    return slot
+
+
+@compiled
+def _double(layer: int, last_label: int, slots: int, scratch: LargeScratch) -> int:
+    """Enter the labels from `layer` on into a table twice as large; return its slots."""
+    memory, slots = scratch.memory, 2 * slots
+    for slot in range(slots):
+        memory.table[slot] = 0
+    for label in range(layer, last_label):
+        slot = _slot_of_key(memory.sets[label], slots, memory.sets, memory.table)
+        memory.table[slot] = label + 1
+    return slots
+
+
+@inlined
+def _best_of(n: int, begin: int, end: int, scratch: LargeScratch) -> float:
+    """Write the sequence of the least label of the full set, return its time."""
+    memory, best, least = scratch.memory, -1, scratch.known[UPPER]
+    for label in range(begin, end):
+        if memory.times[label] < least:
+            best, least = label, memory.times[label]
+    if best >= 0:
+        for k in range(n - 1, -1, -1):
+            scratch.sequence[k] = memory.sets[best] >> MOST_EVADERS
+            best = memory.before[best]
+    return least
