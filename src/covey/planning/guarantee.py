@@ -66,8 +66,8 @@ class Guarantee:
         return self.time == self.upper
 
     def _repr_html_(self) -> str:
-        columns = {"time": [self.time], "upper": [self.upper], "sequence": [self.sequence]}
-        return html_table("Guarantee", columns)
+        facts = {"time": self.time, "upper": self.upper, "sequence": self.sequence}
+        return html_table("Guarantee", {name: [value] for name, value in facts.items()})
 
 
 def pursuit_of(disk: PursuerDisk) -> Pursuit:

@@ -16,7 +16,7 @@ from typing import Annotated, Any
 from pydantic import AliasChoices, ConfigDict, Field
 from pydantic.config import JsonDict
 
-from covey.kernels.minimum.last_capture import MOST_EVADERS
+from covey.kernels.arrays import MOST_EVADERS
 from covey.model.team import DEFAULT_TURN_RATE
 from covey.scenarios.about import ANGLE, LENGTH, SPEED, TIME, TURN_RATE, About
 from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Named
