@@ -47,6 +47,7 @@ nb_execution_raise_on_error = True
 nb_execution_timeout = 120
 nb_execution_in_temp = True
 nb_merge_streams = True
+nb_render_markdown_format = "myst"
 
 # The gallery: what each short file draws
 sphinx_gallery_conf = {

@@ -57,6 +57,17 @@ class Bracket(Value):
         order of the others that counts most.
     start : numpy.ndarray
         (2,) the point of the disk from which that pursuer starts.
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> found = covey.bracket(team, disk)
+    >>> found.sequence
+    (1, 0, 2)
+    >>> print(found.lower_by)
+    contingent plan
     """
 
     lower: float
@@ -140,6 +151,15 @@ def bracket(
        of the successive pursuit-and-evasion problem", Cybernetics 24 (1988).
     .. [2] A. Belousov, Y. Berdyshev, A. Chentsov, A. Chikrii, "Solving the dynamic traveling
        salesman game problem", Cybernetics and Systems Analysis 46 (2010).
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> found = covey.bracket(team, disk)
+    >>> print(f"{found.lower:.3f} to {found.upper:.3f}")
+    3.378 to 3.382
     """
     found = plan(team, disk, seed=seed, starts=starts)
     depth = _depth(len(team)) if depth is None else depth

@@ -49,6 +49,15 @@ class SequencePlan(Value):
     survival_time : float
         The last capture time: the maximum of f_s over the turns.
     status : SequenceStatus
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> told = covey.plan_for_sequence(team, disk, [2, 0, 1])
+    >>> told.capture_times.round(3).tolist()
+    [0.673, 1.857, 3.624]
     """
 
     sequence: tuple[int, ...]
@@ -111,6 +120,15 @@ def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) ->
        of the successive pursuit-and-evasion problem", Cybernetics 24 (1988).
     .. [2] A. Belousov, Y. Berdyshev, A. Chentsov, A. Chikrii, "Solving the dynamic traveling
        salesman game problem", Cybernetics and Systems Analysis 46 (2010).
+
+    Examples
+    --------
+    >>> import covey
+    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
+    >>> disk = covey.PursuerDisk()
+    >>> told = covey.plan_for_sequence(team, disk, [2, 0, 1])
+    >>> told.survival_time >= covey.plan(team, disk).survival_time - 1e-9
+    True
     """
     check_players(team, disk)
     team, disk = about_center(team, disk)

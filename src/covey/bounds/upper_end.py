@@ -82,7 +82,9 @@ def _best(
 ) -> UpperEnd:
     """Return the earliest proven end over plans and openings, as one that needs no turn limits."""
     candidates = [
-        _Candidate(plan, start, opening_towards(team, start, plan, share * plan.capture_times[0]))
+        _Candidate(
+            plan, start, opening_towards(team, start, plan, share * float(plan.capture_times[0]))
+        )
         for start, plan in (_from_best_start(team, disk, plan) for plan in plans)
         for share in openings
     ]
