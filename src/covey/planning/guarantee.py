@@ -14,7 +14,7 @@ from covey.kernels.capture.path import PATH, set_paths
 from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.capture.sequence import capture_times as sequence_times
 from covey.kernels.maximum.problem import Problem
-from covey.kernels.maximum.values import mean_over_draws
+from covey.kernels.maximum.values import mean_over_draws, minimum_over_sequences
 from covey.kernels.minimum.inner_minimum import guarantee
 from covey.model import (
     ExpectedSurvival,
@@ -253,15 +253,20 @@ def worst_sequence(
     """
     n, evaders, pursuit = len(team), team.as_rows(), pursuit_of(disk)
     sequence = np.empty(n, np.int64)
+    interceptions = interceptions_of_minimum(n, total)
 
-    def least(scratch: Workspace) -> tuple[float, float]:
+    def least(scratch: Workspace) -> float:
+        return minimum_over_sequences(evaders, turns, pursuit, total, math.inf, sequence, scratch)
+
+    def bounds(scratch: Workspace) -> tuple[float, float]:
         scratch.walks.stages[0] = STAGES_OF_GUARANTEE
         return guarantee(evaders, turns, pursuit, total, sequence, scratch)
 
-    if n <= LARGEST_TABLE:
-        deadline = math.inf
-    found = interruptible(least, n, total, interceptions_of_minimum(n, total), deadline)
-    return Guarantee(found[0], tuple(sequence.tolist()), found[1])
+    if total or n <= LARGEST_TABLE:
+        lower = upper = interruptible(least, n, total, interceptions)
+    else:
+        lower, upper = interruptible(bounds, n, total, interceptions, deadline)
+    return Guarantee(lower, tuple(sequence.tolist()), upper)
 
 
 def expected_survival(

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import threading
 
-from covey.kernels.arrays import STAGES, Workspace, new_workspace
+from covey.kernels.arrays import LARGEST_TABLE, STAGES, Workspace, new_workspace
 from covey.kernels.contingent.scratch import TreeScratch, new_tree_scratch
 from covey.kernels.minimum.total_time import MOST_FOR_SUMS
 from covey.model import InputError
@@ -52,9 +52,9 @@ def workspace(size: int, total: bool = False, stop: Ints | None = None) -> Works
         for large in [key for key in kept if min(key[0], size) > SMALL]:
             del kept[large]
         kept[size, total] = new_workspace(size, total)
-    # Results don't depend on the call before.
-    kept[size, total].walks.solved[0] = 0
-    kept[size, total].walks.stages[0] = STAGES
+    if size > LARGEST_TABLE:  # results don't depend on the call before
+        walks = kept[size, total].walks
+        walks.solved[0], walks.stages[0] = 0, STAGES
     return kept[size, total]
 
 
