@@ -164,6 +164,7 @@ struct covey_ascend_tree_words {
     double *scratch_model_quadratic_combined; int64_t scratch_model_quadratic_combined_0; /* (n,) sum of multipliers times whitened */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -173,6 +174,17 @@ struct covey_ascend_tree_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_ascend_tree_results {
@@ -345,6 +357,7 @@ struct covey_commit_words {
     int64_t commitment_is_chosen; /* False: it begins with the best sequence, and `sequence` holds nothing */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -354,6 +367,17 @@ struct covey_commit_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_commit(const struct covey_commit_words *words, void *results);
@@ -560,6 +584,7 @@ struct covey_fly_pursuers_words {
     double *memories_objective_draws_probabilities; int64_t memories_objective_draws_probabilities_0; /* (K,) */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -569,6 +594,17 @@ struct covey_fly_pursuers_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_fly_pursuers(const struct covey_fly_pursuers_words *words, void *results);
@@ -598,6 +634,7 @@ struct covey_fly_teams_words {
     int64_t *pursuers_chosen; int64_t pursuers_chosen_0; /* (B,) 0 where a pursuer has no sequence yet */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -607,9 +644,77 @@ struct covey_fly_teams_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_fly_teams(const struct covey_fly_teams_words *words, void *results);
+
+/* Return a time or sum that turns guarantee, and that of the worst sequence that is found.
+
+   Parameters
+   ----------
+   evaders
+       (n, EVADER).
+   turns
+       (n,) signed turns, radians.
+   pursuit
+       The pursuer.
+   total
+       Whether the sum of all capture times is minimised; else the last capture.
+   sequence
+       (n,) the worst order that is found; modified in place.
+   workspace
+       With room for n evaders, and for sums where `total`; modified in place. */
+struct covey_guarantee_words {
+    double *evaders; int64_t evaders_0, evaders_1;
+    double *turns; int64_t turns_0;
+    double pursuit_center_x;
+    double pursuit_center_y;
+    double pursuit_first_radius;
+    double pursuit_later_radius;
+    double pursuit_speed;
+    int64_t total;
+    int64_t *sequence; int64_t sequence_0;
+    int64_t workspace_size; /* n: evaders that the scratch has room for */
+    int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
+    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
+    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
+    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
+    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
+    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
+    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
+    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
+    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
+    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
+};
+struct covey_guarantee_results {
+    double value_0;
+    double value_1;
+};
+int64_t covey_guarantee(const struct covey_guarantee_words *words, struct covey_guarantee_results *results);
 
 /* Return the guaranteed last capture, or sum, if the living fly their plan to the end.
 
@@ -633,6 +738,7 @@ struct covey_guaranteed_value_words {
     int64_t total;
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -642,6 +748,17 @@ struct covey_guaranteed_value_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_guaranteed_value_results {
@@ -725,6 +842,7 @@ struct covey_mean_over_draws_words {
     double *turns; int64_t turns_0;
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -734,6 +852,17 @@ struct covey_mean_over_draws_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_mean_over_draws_results {
@@ -772,6 +901,7 @@ struct covey_minimum_over_sequences_words {
     int64_t *sequence; int64_t sequence_0;
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -781,6 +911,17 @@ struct covey_minimum_over_sequences_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_minimum_over_sequences_results {
@@ -907,6 +1048,7 @@ struct covey_multistart_words {
     double *iterate_working_set_values; int64_t iterate_working_set_values_0; /* (m,) objective of each sequence where the last ascent ended */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -916,6 +1058,17 @@ struct covey_multistart_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_multistart_results {
@@ -1072,6 +1225,7 @@ struct covey_play_words {
     int64_t *log_intended; int64_t log_intended_0, log_intended_1; /* (T, N) */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -1081,6 +1235,17 @@ struct covey_play_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_play_results {
@@ -1146,6 +1311,7 @@ struct covey_play_to_capture_words {
     double delay;
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -1155,6 +1321,17 @@ struct covey_play_to_capture_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_play_to_capture_results {
@@ -1243,6 +1420,7 @@ struct covey_refine_words {
     double *iterate_working_set_values; int64_t iterate_working_set_values_0; /* (m,) objective of each sequence where the last ascent ended */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -1252,6 +1430,17 @@ struct covey_refine_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_refine_results {
@@ -1316,6 +1505,7 @@ struct covey_replan_words {
     double *turns; int64_t turns_0;
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -1325,6 +1515,17 @@ struct covey_replan_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_replan(const struct covey_replan_words *words, void *results);
@@ -1425,6 +1626,7 @@ struct covey_survives_delays_words {
     int64_t *search_counters; int64_t search_counters_0; /* (3,) nodes visited; the most that may be; captures put off in that play */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -1434,6 +1636,17 @@ struct covey_survives_delays_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_survives_delays_results {
@@ -1485,6 +1698,7 @@ struct covey_tree_value_words {
     int64_t *levels_sequence; int64_t levels_sequence_0; /* (n,) evaders captured so far */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -1494,6 +1708,17 @@ struct covey_tree_value_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_tree_value_results {
@@ -1533,6 +1758,7 @@ struct covey_write_row_words {
     int64_t *intended; int64_t intended_0;
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
+    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -1542,6 +1768,17 @@ struct covey_write_row_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
+    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
+    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
+    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
+    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
+    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
+    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
+    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
+    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
+    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
+    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_write_row(const struct covey_write_row_words *words, void *results);
