@@ -12,6 +12,7 @@ from covey.kernels.library.errors import BuildError
 WORDS = {
     "new": "new mine.toml",
     "show": "show fig3",
+    "schema": "schema scenario",
     "plan": "plan one.toml",
     "simulate": "simulate one.toml -o game.parquet",
     "worst_case": "worst-case one.toml",
@@ -25,6 +26,7 @@ WORDS = {
 WORK = {
     "new": "covey.cli.commands.new.write_text",
     "show": "covey.scenarios.example_path",
+    "schema": "covey.scenarios.json_schema.json_schema",
     "plan": "covey.scenarios.Scenario.bracket",
     "simulate": "covey.scenarios.Scenario.simulate",
     "worst_case": "covey.scenarios.Scenario.worst_case",
