@@ -14,6 +14,7 @@ PACKAGE = Path(covey.__file__).parent
 SCALARS = {"float", "int", "bool", "None"}
 
 AS_PYTHON = {
+    "add",
     "contains",
     "elapsed_value",
     "first_contact",

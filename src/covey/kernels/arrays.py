@@ -48,23 +48,25 @@ STAGES, STAGES_OF_GUARANTEE = 2, 6
 """Stages after which the minimum for more than 20 evaders is given up: in a search, and for a
 guarantee, see `minimum.large`."""
 
-_LABELS = 1 << 23
+LABELS = 1 << 23
+"""Labels that the minimum for a large team keeps at most."""
 
 
 class WalkMemory(NamedTuple):
-    """Memory of the minimum for large teams, see `minimum.large`; empty for small teams."""
+    """Memory of the minimum for large teams; empty for small teams.
 
-    values: Vector  # ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory
-    steps: Int32Vector  # likewise: last and memory before
-    transitions: Int32Vector  # (n * n * 2**MOST_NEIGHBOURS,)
+    Few arrays travel with each call, and `minimum.large.scratch` divides them up.
+    """
+
+    floats: Vector
+    ints: IntVector  # begins with SOLVED, ..., STAGES_GIVEN
+    int32s: Int32Vector
     neighbours: IntMatrix  # (n, MOST_NEIGHBOURS + 1) how many there are, and who
-    shares: Vector  # (n,) of the evaders in the weight of a walk, 1 in the mean
-    solved: IntVector  # (3,) evaders that the shares are for, 0: none; labels, states of a walk
-    stages: IntVector  # (1,) after which a minimum is given up
-    sets: IntVector  # (.,) labels: captured set and last captured
-    times: Vector  # (.,) earliest arrivals
-    before: Int32Vector  # (.,) the label before
-    table: Int32Vector  # (.,) hash table of labels
+
+
+SOLVED, LABELS_TAKEN, STATES_TAKEN, STAGES_GIVEN = range(4)
+"""Slots of `WalkMemory.ints`: evaders of the minimum of which weights are kept, 0: none; labels and
+states of a walk that it took; stages after which a minimum is given up."""
 
 
 @kept
@@ -124,21 +126,21 @@ def new_workspace(size: int, total: bool = False, largest_table: int = LARGEST_T
 
 def _walk_memory(size: int) -> WalkMemory:
     """Allocate memory for large teams. The system hands out pages where they are first used."""
-    walkers = size << MOST_NEIGHBOURS
-    states, labels = (MOST_WEIGHT * size + 1) * walkers, _LABELS if size > 0 else 0
+    states, labels = walk_states(size), LABELS if size > 0 else 0
+    ints = np.empty(labels + 32 * (size + 8), np.int64)
+    ints[SOLVED], ints[STAGES_GIVEN] = 0, STAGES
     return WalkMemory(
-        np.empty(states),
-        np.empty(states, np.int32),
-        np.empty(size * walkers, np.int32),
+        np.empty(states + labels + (1 << MOST_NEIGHBOURS) + 16 * (size + 8)),
+        ints,
+        np.empty(states + (size * size << MOST_NEIGHBOURS) + 3 * labels, np.int32),
         np.empty((size, MOST_NEIGHBOURS + 1), np.int64),
-        np.empty(size),
-        np.zeros(3, np.int64),
-        np.full(1, STAGES),
-        np.empty(labels, np.int64),
-        np.empty(labels),
-        np.empty(labels, np.int32),
-        np.empty(2 * labels, np.int32),
     )
+
+
+@inlined
+def walk_states(n: int) -> int:
+    """Return how many states walks of n evaders have, by weight, last captured and memory."""
+    return ((MOST_WEIGHT * n + 1) * n) << MOST_NEIGHBOURS
 
 
 def _aligned(rows: int, columns: int) -> Floats:

@@ -9,7 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels.arrays import LARGEST_TABLE, MOST_EVADERS, STAGES_OF_GUARANTEE, Workspace
+from covey.kernels.arrays import (
+    LARGEST_TABLE,
+    MOST_EVADERS,
+    STAGES_GIVEN,
+    STAGES_OF_GUARANTEE,
+    Workspace,
+)
 from covey.kernels.capture.path import PATH, set_paths
 from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.capture.sequence import capture_times as sequence_times
@@ -259,7 +265,7 @@ def worst_sequence(
         return minimum_over_sequences(evaders, turns, pursuit, total, math.inf, sequence, scratch)
 
     def bounds(scratch: Workspace) -> tuple[float, float]:
-        scratch.walks.stages[0] = STAGES_OF_GUARANTEE
+        scratch.walks.ints[STAGES_GIVEN] = STAGES_OF_GUARANTEE
         return guarantee(evaders, turns, pursuit, total, sequence, scratch)
 
     if total or n <= LARGEST_TABLE:

@@ -7,7 +7,14 @@ from __future__ import annotations
 
 import threading
 
-from covey.kernels.arrays import LARGEST_TABLE, STAGES, Workspace, new_workspace
+from covey.kernels.arrays import (
+    LARGEST_TABLE,
+    SOLVED,
+    STAGES,
+    STAGES_GIVEN,
+    Workspace,
+    new_workspace,
+)
 from covey.kernels.contingent.scratch import TreeScratch, new_tree_scratch
 from covey.kernels.minimum.total_time import MOST_FOR_SUMS
 from covey.model import InputError
@@ -53,8 +60,8 @@ def workspace(size: int, total: bool = False, stop: Ints | None = None) -> Works
             del kept[large]
         kept[size, total] = new_workspace(size, total)
     if size > LARGEST_TABLE:  # results don't depend on the call before
-        walks = kept[size, total].walks
-        walks.solved[0], walks.stages[0] = 0, STAGES
+        ints = kept[size, total].walks.ints
+        ints[SOLVED], ints[STAGES_GIVEN] = 0, STAGES
     return kept[size, total]
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import covey
-from covey.kernels.arrays import FINISH, new_workspace
+from covey.kernels.arrays import FINISH, SOLVED, STAGES_GIVEN, new_workspace
 from covey.kernels.capture.sequence import capture_times
 from covey.kernels.minimum.inner_minimum import guarantee
 from covey.planning import workspace as workspaces
@@ -27,8 +27,8 @@ def bounds_without_table(team, disk, turns, *, stages=12, warm=False, stop=0):
     """The lower bound, the upper bound, and the sequence that attains the upper bound."""
     memory = walking(22)
     if not warm:
-        memory.walks.solved[0] = 0
-    memory.walks.stages[0], memory.stop[0] = stages, stop
+        memory.walks.ints[SOLVED] = 0
+    memory.walks.ints[STAGES_GIVEN], memory.stop[0] = stages, stop
     sequence = np.empty(len(team), np.int64)
     moved, about = about_center(team, disk)
     found = guarantee(moved.as_rows(), turns, pursuit_of(about), False, sequence, memory)

@@ -12,6 +12,7 @@ from covey.kernels.arrays import (
     IntVector,
     Matrix,
     Vector,
+    WalkMemory,
     Workspace,
     begin_carving,
     floats,
@@ -22,7 +23,7 @@ from covey.kernels.capture.path import set_paths
 from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.minimum.labels import SubsetScratch, subset_scratch
 from covey.kernels.minimum.large.minimum import large_minimum
-from covey.kernels.minimum.large.scratch import LOWER, LargeScratch, large_scratch
+from covey.kernels.minimum.large.scratch import LOWER
 from covey.kernels.minimum.last_capture import min_last_capture
 from covey.kernels.minimum.total_time import TotalTimeScratch, min_total_time, total_time_scratch
 
@@ -32,7 +33,7 @@ class InnerScratch(NamedTuple):
 
     largest_table: int  # evaders up to which the table serves
     last_capture: SubsetScratch
-    large: LargeScratch  # for larger teams
+    large: WalkMemory  # for larger teams
     total_time: TotalTimeScratch  # empty where the workspace has no room for sums
     sequence: Ints  # (n,) for callers: one that attains the minimum
     times: Floats  # (n,) for callers: capture times of a sequence
@@ -47,7 +48,7 @@ def inner_scratch(workspace: Workspace) -> InnerScratch:
     return InnerScratch(
         table,
         subset_scratch(workspace, min(n, table)),
-        large_scratch(workspace, n if n > table else 0),
+        workspace.walks,
         total_time_scratch(workspace, n if workspace.total else 0),
         ints(workspace, n),
         floats(workspace, n),
@@ -72,7 +73,10 @@ def inner_minimum(
     if total:
         return min_total_time(paths, pursuit, bound, sequence, scratch.total_time)
     if len(paths) > scratch.largest_table:
-        return large_minimum(paths, pursuit, bound, sequence, scratch.large)
+        table = scratch.last_capture
+        return large_minimum(
+            paths, pursuit, bound, sequence, scratch.large, table.lines, table.stop
+        )
     return min_last_capture(paths, pursuit, bound, sequence, scratch.last_capture)
 
 
@@ -87,7 +91,7 @@ def guaranteed_minimum(
     """
     value, _ = inner_minimum(paths, pursuit, total, math.inf, sequence, scratch)
     if len(paths) > scratch.largest_table and not total:
-        return scratch.large.known[LOWER], value
+        return scratch.large.floats[LOWER], value
     return value, value
 
 

@@ -38,7 +38,7 @@ def set_completions(
         the weight from this evader on, the evader and its memory of whom the pursuer captured
         before; -inf: too late at any time.
     """
-    n, size, values = len(paths), 1 << bits, scratch.memory.values
+    n, size, values = len(paths), 1 << bits, scratch.values
     slack = _slack(paths, pursuit, scratch.known[UPPER])
     _begin(n, weight, size, slack, scratch)
     for q in range(1, weight):
@@ -56,7 +56,7 @@ def set_completions(
 @inlined
 def _begin(n: int, weight: int, size: int, slack: float, scratch: LargeScratch) -> None:
     """Write the walks of one capture."""
-    values = scratch.memory.values
+    values = scratch.values
     for slot in range(slot_of(n, size, weight + 1, 0)):
         values[slot] = -math.inf
     for i in range(n):
@@ -85,8 +85,8 @@ def _extend_back(
     scratch: LargeScratch,
 ) -> None:
     """Extend a state by each capture just before, that its memory and the weight left allow."""
-    n, size, values = len(paths), 1 << bits, scratch.memory.values
-    transitions, departures = scratch.memory.transitions, scratch.arrivals
+    n, size, values = len(paths), 1 << bits, scratch.values
+    transitions, departures = scratch.transitions, scratch.arrivals
     deadline = values[begin + memory]
     x, y = position(paths, i, deadline)
     goal = GrowingDisk(x, y, pursuit.later_radius, deadline, pursuit.speed)

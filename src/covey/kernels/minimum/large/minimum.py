@@ -10,7 +10,17 @@ from __future__ import annotations
 import math
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.arrays import MOST_NEIGHBOURS, Floats, Ints, padded
+from covey.kernels.arrays import (
+    LABELS_TAKEN,
+    MOST_NEIGHBOURS,
+    SOLVED,
+    STAGES_GIVEN,
+    STATES_TAKEN,
+    Floats,
+    Ints,
+    WalkMemory,
+    padded,
+)
 from covey.kernels.capture.interception import capture_in_turn
 from covey.kernels.capture.path import TURN_END
 from covey.kernels.capture.pursuit import Pursuit, initial_disk
@@ -30,6 +40,7 @@ from covey.kernels.minimum.large.scratch import (
     UPPER,
     LargeScratch,
     is_to_end,
+    large_scratch,
 )
 from covey.kernels.minimum.large.search import FAILED, search_labels
 from covey.kernels.minimum.large.tours import improve, repair
@@ -50,12 +61,18 @@ _ROUNDING = 1e-14
 
 @compiled
 def large_minimum(
-    paths: Floats, pursuit: Pursuit, bound: float, sequence: Ints, scratch: LargeScratch
+    paths: Floats,
+    pursuit: Pursuit,
+    bound: float,
+    sequence: Ints,
+    memory: WalkMemory,
+    lines: Floats,
+    stop: Ints,
 ) -> tuple[float, int]:
     """Return the least time of a capture sequence that is found, if it is below `bound`.
 
-    `scratch.known[LOWER]` is a time that no sequence beats. Where it is the returned time, or no
-    less than the bound, the result is exact.
+    `memory.floats[LOWER]` is then a time that no sequence beats. Where it is the returned time, or
+    no less than the bound, the result is exact.
 
     1. Without a bound, a greedy sequence is improved by moves.
     2. With the weights of the call before, the exact programme is tried at once.
@@ -73,9 +90,13 @@ def large_minimum(
         inf, or an upper bound.
     sequence
         (n,) modified in place where a sequence beats the bound.
-    scratch
+    memory
         With room for n evaders; modified in place. Weights and neighbours are kept from call to
         call.
+    lines
+        (6, padded(n)) or more columns, modified in place.
+    stop
+        (1,) of the workspace.
 
     Returns
     -------
@@ -85,6 +106,7 @@ def large_minimum(
         How many interceptions were computed, about.
     """
     n = len(paths)
+    scratch = large_scratch(memory, lines, stop, n)
     _begin(paths, pursuit, bound, scratch)
     solved = _is_known(n, scratch) and _search_again(paths, pursuit, scratch)
     if not solved:
@@ -106,7 +128,7 @@ def _begin(paths: Floats, pursuit: Pursuit, bound: float, scratch: LargeScratch)
         if first[i] < paths[i, TURN_END]:
             first[i] = capture_in_turn(paths, i, disk)
     if bound == math.inf:
-        sequence, times = scratch.sequence[:n], scratch.times[:n]
+        sequence, times = scratch.sequence[:n], scratch.capture_times[:n]
         greedy_sequence(paths, pursuit, sequence, scratch.arrivals)
         bound = improve(paths, pursuit, sequence, times, scratch.trial[:n])
     scratch.known[LOWER], scratch.known[UPPER], scratch.known[STATES] = 0.0, bound, 0.0
@@ -115,7 +137,7 @@ def _begin(paths: Floats, pursuit: Pursuit, bound: float, scratch: LargeScratch)
 @inlined
 def _is_known(n: int, scratch: LargeScratch) -> bool:
     """Whether the weights and neighbours are those of a call for as many evaders."""
-    return scratch.memory.solved[0] == n
+    return scratch.kept[SOLVED] == n
 
 
 @inlined
@@ -124,16 +146,16 @@ def _search_again(paths: Floats, pursuit: Pursuit, scratch: LargeScratch) -> boo
 
     Where it took many labels the last time, a few least walks improve the weights first.
     """
-    n, memory = len(paths), scratch.memory
-    if memory.solved[1] > _MANY_LABELS * memory.solved[2]:
-        most = memory_bits(n, memory.neighbours)
-        if memory.solved[1] > _MORE_LABELS * memory.solved[2]:
+    n, kept = len(paths), scratch.kept
+    if kept[LABELS_TAKEN] > _MANY_LABELS * kept[STATES_TAKEN]:
+        most = memory_bits(n, scratch.neighbours)
+        if kept[LABELS_TAKEN] > _MORE_LABELS * kept[STATES_TAKEN]:
             most = min(most + 1, MOST_NEIGHBOURS)
         if _walk_rounds(paths, pursuit, _ROUNDS_AGAIN, most, scratch):
             return True
-    bits = memory_bits(n, memory.neighbours)
-    weight = set_weights(memory.shares[:n], scratch.weights)
-    budget = max(_FEWEST_LABELS, _KNOWN_LABELS * memory.solved[1])
+    bits = memory_bits(n, scratch.neighbours)
+    weight = set_weights(scratch.shares[:n], scratch.weights)
+    budget = max(_FEWEST_LABELS, _KNOWN_LABELS * kept[LABELS_TAKEN])
     return _search(paths, pursuit, weight, bits, budget, scratch)
 
 
@@ -149,7 +171,7 @@ def _search(
     if least == FAILED:
         scratch.known[STATES] = before
         return False
-    scratch.memory.solved[1] = int(scratch.known[STATES] - walked)
+    scratch.kept[LABELS_TAKEN] = int(scratch.known[STATES] - walked)
     scratch.known[LOWER] = scratch.known[UPPER] = least
     return True
 
@@ -157,22 +179,22 @@ def _search(
 @inlined
 def _solve(paths: Floats, pursuit: Pursuit, scratch: LargeScratch) -> None:
     """Close the bounds, stage by stage, as far as the stages go."""
-    n, memory = len(paths), scratch.memory
+    n, kept = len(paths), scratch.kept
     known = _is_known(n, scratch)
     if not known:
-        memory.solved[0], memory.solved[1], memory.solved[2] = n, 0, 0
-        set_nearest(paths, scratch.known[UPPER], memory.neighbours)
+        kept[SOLVED], kept[LABELS_TAKEN], kept[STATES_TAKEN] = n, 0, 0
+        set_nearest(paths, scratch.known[UPPER], scratch.neighbours)
         for i in range(n):
-            memory.shares[i] = 1.0
-    rounds, bits = FIRST_ROUNDS, memory_bits(n, memory.neighbours)
+            scratch.shares[i] = 1.0
+    rounds, bits = FIRST_ROUNDS, memory_bits(n, scratch.neighbours)
     most = min(bits + known, MOST_NEIGHBOURS)
-    set_transitions(n, bits, memory.neighbours, scratch.bits, memory.transitions)
-    stages = memory.stages[0] if n > ALWAYS_PROVEN else _STAGES_UNTIL_PROVEN
+    set_transitions(n, bits, scratch.neighbours, scratch.bits, scratch.transitions)
+    stages = kept[STAGES_GIVEN] if n > ALWAYS_PROVEN else _STAGES_UNTIL_PROVEN
     for _ in range(stages):
         if _walk_rounds(paths, pursuit, rounds, most, scratch):
             return
-        bits = memory_bits(n, memory.neighbours)
-        weight = set_weights(memory.shares[:n], scratch.weights)
+        bits = memory_bits(n, scratch.neighbours)
+        weight = set_weights(scratch.shares[:n], scratch.weights)
         budget = int(scratch.known[STATES])
         if is_to_end(n, scratch) or _search(paths, pursuit, weight, bits, budget, scratch):
             return
@@ -187,29 +209,29 @@ def _walk_rounds(
 
     The shares are then those of the best lower bound of these rounds.
     """
-    n, memory, known = len(paths), scratch.memory, scratch.known
+    n, known = len(paths), scratch.known
     length_of_step, failures, best = 1.0, 0, -1.0
     for i in range(n):
         scratch.direction[i] = 0.0
     for step in range(rounds):
         if step > 0 and is_to_end(n, scratch):
             break
-        bits = memory_bits(n, memory.neighbours)
-        weight = set_weights(memory.shares[:n], scratch.weights)
+        bits = memory_bits(n, scratch.neighbours)
+        weight = set_weights(scratch.shares[:n], scratch.weights)
         before = known[STATES]
         lower, end = least_walk(paths, pursuit, weight, bits, scratch)
-        memory.solved[2] = int(known[STATES] - before)
+        scratch.kept[STATES_TAKEN] = int(known[STATES] - before)
         if end < 0:
             known[LOWER] = known[UPPER]
             return True
         known[LOWER] = max(known[LOWER], lower)
-        length = trace_walk(n, weight, bits, end, scratch.weights, memory.steps, scratch.walk)
+        length = trace_walk(n, weight, bits, end, scratch.weights, scratch.steps, scratch.walk)
         walk = scratch.walk[:length]
         is_sequence = count_visits(n, walk, scratch.visits)
         if lower > best or is_sequence:
             best, failures = lower, 0
             for i in range(n):
-                scratch.best_shares[i] = memory.shares[i]
+                scratch.best_shares[i] = scratch.shares[i]
             _improve_upper(paths, pursuit, walk, scratch)
         else:
             failures += 1
@@ -218,20 +240,26 @@ def _walk_rounds(
         if is_sequence or known[LOWER] >= known[UPPER] * (1.0 - _ROUNDING):
             known[LOWER] = known[UPPER]
             return True
-        if grow_along(walk, most, memory.neighbours):
-            bits = memory_bits(n, memory.neighbours)
-            set_transitions(n, bits, memory.neighbours, scratch.bits, memory.transitions)
+        _grow(n, walk, most, scratch)
         step_shares(n, length_of_step * (1.0 - lower / known[UPPER]), scratch)
     for i in range(n):
-        memory.shares[i] = scratch.best_shares[i]
+        scratch.shares[i] = scratch.best_shares[i]
     return False
+
+
+@inlined
+def _grow(n: int, walk: Ints, most: int, scratch: LargeScratch) -> None:
+    """Let evaders remember whom the walk repeats, see `grow_along`."""
+    if grow_along(walk, most, scratch.neighbours):
+        bits = memory_bits(n, scratch.neighbours)
+        set_transitions(n, bits, scratch.neighbours, scratch.bits, scratch.transitions)
 
 
 @inlined
 def _improve_upper(paths: Floats, pursuit: Pursuit, walk: Ints, scratch: LargeScratch) -> None:
     """Lower the upper bound by the sequence that a walk becomes, if this is better."""
     n, known = len(paths), scratch.known
-    candidate, times, trial = scratch.candidate[:n], scratch.times[:n], scratch.trial[:n]
+    candidate, times, trial = scratch.candidate[:n], scratch.capture_times[:n], scratch.trial[:n]
     time = repair(paths, pursuit, walk, candidate, times, trial)
     if time < _WORTH_IMPROVING * known[UPPER]:
         time = improve(paths, pursuit, candidate, times, trial)

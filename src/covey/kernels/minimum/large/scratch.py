@@ -8,18 +8,16 @@ from covey.kernels._jit import inlined
 from covey.kernels.arrays import (
     ABANDON,
     FINISH,
+    LABELS,
     MOST_NEIGHBOURS,
     MOST_WEIGHT,
     Floats,
+    Int32s,
     Ints,
     WalkMemory,
-    Workspace,
-    floats,
-    ints,
     padded,
-    padded_rows,
+    walk_states,
 )
-from covey.kernels.capture.straight_legs import LINES
 
 LOWER, UPPER, STATES = range(3)
 """Slots of what is known: all sequences take at least and some takes at most so long; how many
@@ -32,52 +30,74 @@ second."""
 
 
 class LargeScratch(NamedTuple):
-    """Arrays of the minimum for up to n evaders. A set of evaders is a bit mask."""
+    """Arrays of the minimum for n evaders. A set of evaders is a bit mask."""
 
-    memory: WalkMemory
-    lines: Floats  # (6, padded(n))
+    lines: Floats  # (6, padded(n)) or more columns
+    neighbours: Ints  # (n, MOST_NEIGHBOURS + 1) how many there are, and who
+    kept: Ints  # (4,) `SOLVED` and the slots after it
+    shares: Floats  # (n,) of the evaders in the weight of a walk, 1 in the mean
+    known: Floats  # (3,) `LOWER` and the slots after it
     first: Floats  # (padded(n),) when each evader can be captured first
     arrivals: Floats  # (padded(n),) when each evader can be captured next
-    known: Floats  # (3,)
+    capture_times: Floats  # (n,) of a sequence
+    direction: Floats  # (n,) in which the shares change
+    best_shares: Floats  # (n,) shares of the largest lower bound
+    least: Floats  # (2**MOST_NEIGHBOURS,) over the memories in a memory
+    values: Floats  # (walk_states(n),) by weight, last captured and memory
+    times: Floats  # (LABELS,) earliest arrivals
     weights: Ints  # (n,) of a visit
-    best_weights: Ints  # (n,) those of the largest lower bound
     visits: Ints  # (n,) how often the least walk visits each evader
     walk: Ints  # (MOST_WEIGHT * n + 1,) the least walk
     sequence: Ints  # (n,) the best sequence
     candidate: Ints  # (n,) sequence that may become the best
     trial: Ints  # (n,) the same after a move
-    times: Floats  # (n,) capture times of a sequence
-    direction: Floats  # (n,) in which the weights change
-    best_shares: Floats  # (n,) shares of the largest lower bound
-    least: Floats  # (2**MOST_NEIGHBOURS,) over the memories in a memory
-    bits: Ints  # (n,) where each neighbour of one evader is among the neighbours of another
-    remaining: Ints  # (n,) who is not yet captured
+    bits: Ints  # (n,) how the memory at an evader knows the neighbours of another
+    remaining: Ints  # (n + 1,) who is not yet captured
+    sets: Ints  # (LABELS,) labels: captured set and last captured
+    steps: Int32s  # (walk_states(n),) last captured and memory before
+    transitions: Int32s  # (n * n * 2**MOST_NEIGHBOURS,)
+    before: Int32s  # (LABELS,) the label before
+    table: Int32s  # (2 * LABELS,) hash table of labels
     stop: Ints  # (1,) of the workspace
 
 
 @inlined
-def large_scratch(workspace: Workspace, n: int) -> LargeScratch:
-    """Carve the scratch of the minimum for up to n evaders."""
+def large_scratch(memory: WalkMemory, lines: Floats, stop: Ints, n: int) -> LargeScratch:
+    """Divide up the memory of large teams, in the same way for each call for n evaders."""
+    m, states = padded(n), walk_states(n)
+    real, whole, small = memory.floats, memory.ints, memory.int32s
+    walk, labels = 8 + 8 * m, 8 + 8 * m + MOST_WEIGHT * m + 1
+    sums = 8 + 6 * m
+    values = sums + (1 << MOST_NEIGHBOURS)
+    moves = states + (n * n << MOST_NEIGHBOURS)
     return LargeScratch(
-        workspace.walks,
-        padded_rows(workspace, LINES),
-        floats(workspace, padded(n)),
-        floats(workspace, padded(n)),
-        floats(workspace, 3),
-        ints(workspace, n),
-        ints(workspace, n),
-        ints(workspace, n),
-        ints(workspace, MOST_WEIGHT * n + 1),
-        ints(workspace, n),
-        ints(workspace, n),
-        ints(workspace, n),
-        floats(workspace, n),
-        floats(workspace, n),
-        floats(workspace, n),
-        floats(workspace, 1 << MOST_NEIGHBOURS),
-        ints(workspace, n),
-        ints(workspace, n),
-        workspace.stop,
+        lines,
+        memory.neighbours,
+        whole[:4],
+        real[8 : 8 + n],
+        real[:3],
+        real[8 + m : 8 + 2 * m],
+        real[8 + 2 * m : 8 + 3 * m],
+        real[8 + 3 * m : 8 + 3 * m + n],
+        real[8 + 4 * m : 8 + 4 * m + n],
+        real[8 + 5 * m : 8 + 5 * m + n],
+        real[sums:values],
+        real[values : values + states],
+        real[values + states : values + states + LABELS],
+        whole[8 : 8 + n],
+        whole[8 + m : 8 + m + n],
+        whole[walk:labels],
+        whole[8 + 2 * m : 8 + 2 * m + n],
+        whole[8 + 3 * m : 8 + 3 * m + n],
+        whole[8 + 4 * m : 8 + 4 * m + n],
+        whole[8 + 5 * m : 8 + 5 * m + n],
+        whole[8 + 6 * m : 8 + 6 * m + n + 1],
+        whole[labels : labels + LABELS],
+        small[:states],
+        small[states:moves],
+        small[moves : moves + LABELS],
+        small[moves + LABELS : moves + 3 * LABELS],
+        stop,
     )
 
 

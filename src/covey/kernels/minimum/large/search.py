@@ -49,13 +49,13 @@ def search_labels(
     float
         `FAILED` where there are more labels than the budget, or the call is to end.
     """
-    n, memory, size = len(paths), scratch.memory, 1 << bits
-    budget = min(budget, len(memory.sets))
+    n, size = len(paths), 1 << bits
+    budget = min(budget, len(scratch.sets))
     begin, end = 0, _first_labels(n, weight, size, scratch)
     for _ in range(n - 1):
-        slots = _smallest_table(end - begin, memory.table)
+        slots = _smallest_table(end - begin, scratch.table)
         for slot in range(slots):
-            memory.table[slot] = 0
+            scratch.table[slot] = 0
         layer = last_label = end
         for label in range(begin, end):
             last_label, slots = _extend(
@@ -71,13 +71,13 @@ def search_labels(
 @inlined
 def _first_labels(n: int, weight: int, size: int, scratch: LargeScratch) -> int:
     """Label the sets of one evader; return how many there are."""
-    memory, count = scratch.memory, 0
+    count = 0
     for i in range(n):
         arrival = scratch.first[i]
-        deadline = memory.values[slot_of(n, size, weight, i)]
+        deadline = scratch.values[slot_of(n, size, weight, i)]
         if arrival < scratch.known[UPPER] and arrival <= deadline:
-            memory.sets[count] = i << MOST_EVADERS | 1 << i
-            memory.times[count], memory.before[count] = arrival, -1
+            scratch.sets[count] = i << MOST_EVADERS | 1 << i
+            scratch.times[count], scratch.before[count] = arrival, -1
             count += 1
     return count
 
@@ -107,28 +107,28 @@ def _extend(
 
     Returns the end of the labels, -1 where there is no room, and the slots of the hash table.
     """
-    n, size, memory, arrivals = len(paths), 1 << bits, scratch.memory, scratch.arrivals
-    captured, last = memory.sets[label] & _SET, memory.sets[label] >> MOST_EVADERS
+    n, size, arrivals = len(paths), 1 << bits, scratch.arrivals
+    captured, last = scratch.sets[label] & _SET, scratch.sets[label] >> MOST_EVADERS
     count, weight = _set_remaining(n, captured, scratch)
-    disk = disk_after(paths, last, memory.times[label], pursuit)
+    disk = disk_after(paths, last, scratch.times[label], pursuit)
     captures_on_lines(scratch.lines, disk, arrivals[: padded(n)])
     for k in range(count):
         j = scratch.remaining[k]
         begin = slot_of(n, size, weight, j)
-        latest, arrival = memory.values[begin], arrivals[j]
+        latest, arrival = scratch.values[begin], arrivals[j]
         if arrival < paths[j, TURN_END]:
             if earliest_in_turn(paths, j, disk) > latest:
                 continue
             arrival = capture_in_turn(paths, j, disk)
         if arrival > latest or arrival >= scratch.known[UPPER]:
             continue
-        if arrival > memory.values[begin + memory_of(scratch.memory.neighbours, j, captured)]:
+        if arrival > scratch.values[begin + memory_of(scratch.neighbours, j, captured)]:
             continue
         if last_label == budget:
             return -1, slots
         key = j << MOST_EVADERS | captured | 1 << j
         last_label = _enter(key, arrival, label, last_label, slots, scratch)
-        if 2 * (last_label - layer) > slots and slots < len(memory.table):
+        if 2 * (last_label - layer) > slots and slots < len(scratch.table):
             slots = _double(layer, last_label, slots, scratch)
     return last_label, slots
 
@@ -150,15 +150,14 @@ def _enter(
     key: int, arrival: float, label: int, last_label: int, slots: int, scratch: LargeScratch
 ) -> int:
     """Enter a label unless there is an earlier label; return the end of the labels."""
-    memory = scratch.memory
-    slot = _slot_of_key(key, slots, memory.sets, memory.table)
-    entered = memory.table[slot] - 1
+    slot = _slot_of_key(key, slots, scratch.sets, scratch.table)
+    entered = scratch.table[slot] - 1
     if entered < 0:
         entered, last_label = last_label, last_label + 1
-        memory.table[slot], memory.sets[entered] = entered + 1, key
-        memory.times[entered] = math.inf
-    if arrival < memory.times[entered]:
-        memory.times[entered], memory.before[entered] = arrival, label
+        scratch.table[slot], scratch.sets[entered] = entered + 1, key
+        scratch.times[entered] = math.inf
+    if arrival < scratch.times[entered]:
+        scratch.times[entered], scratch.before[entered] = arrival, label
     return last_label
 
 
@@ -175,24 +174,24 @@ def _slot_of_key(key: int, slots: int, sets: Ints, table: Int32s) -> int:
 @compiled
 def _double(layer: int, last_label: int, slots: int, scratch: LargeScratch) -> int:
     """Enter the labels from `layer` on into a table twice as large; return its slots."""
-    memory, slots = scratch.memory, 2 * slots
+    slots *= 2
     for slot in range(slots):
-        memory.table[slot] = 0
+        scratch.table[slot] = 0
     for label in range(layer, last_label):
-        slot = _slot_of_key(memory.sets[label], slots, memory.sets, memory.table)
-        memory.table[slot] = label + 1
+        slot = _slot_of_key(scratch.sets[label], slots, scratch.sets, scratch.table)
+        scratch.table[slot] = label + 1
     return slots
 
 
 @inlined
 def _best_of(n: int, begin: int, end: int, scratch: LargeScratch) -> float:
     """Write the sequence of the least label of the full set, return its time."""
-    memory, best, least = scratch.memory, -1, scratch.known[UPPER]
+    best, least = -1, scratch.known[UPPER]
     for label in range(begin, end):
-        if memory.times[label] < least:
-            best, least = label, memory.times[label]
+        if scratch.times[label] < least:
+            best, least = label, scratch.times[label]
     if best >= 0:
         for k in range(n - 1, -1, -1):
-            scratch.sequence[k] = memory.sets[best] >> MOST_EVADERS
-            best = memory.before[best]
+            scratch.sequence[k] = scratch.sets[best] >> MOST_EVADERS
+            best = scratch.before[best]
     return least

@@ -49,7 +49,7 @@ def least_walk(
     int
         Last evader and memory: i * 2**bits + memory.
     """
-    n, size, values = len(paths), 1 << bits, scratch.memory.values
+    n, size, values = len(paths), 1 << bits, scratch.values
     _begin(n, weight, size, scratch)
     for q in range(1, weight):
         for i in range(n):
@@ -72,7 +72,7 @@ def least_walk(
 @inlined
 def _begin(n: int, weight: int, size: int, scratch: LargeScratch) -> None:
     """Write the walks of one capture."""
-    values, steps = scratch.memory.values, scratch.memory.steps
+    values, steps = scratch.values, scratch.steps
     for slot in range(slot_of(n, size, weight + 1, 0)):
         values[slot] = math.inf
     for i in range(n):
@@ -108,9 +108,9 @@ def _extend(
     """Extend a state by each capture that its memory and the weight that is left allow."""
     n, size, arrivals = len(paths), 1 << bits, scratch.arrivals
     values, steps, transitions = (
-        scratch.memory.values,
-        scratch.memory.steps,
-        scratch.memory.transitions,
+        scratch.values,
+        scratch.steps,
+        scratch.transitions,
     )
     disk = disk_after(paths, i, values[begin + memory], pursuit)
     captures_on_lines(scratch.lines, disk, arrivals[: padded(n)])

@@ -45,7 +45,7 @@ def step_shares(n: int, gap: float, scratch: LargeScratch) -> None:
 
     `gap` is by how much the walk's time is to rise, relative to the upper bound.
     """
-    shares, direction, square, total = scratch.memory.shares, scratch.direction, 0.0, 0.0
+    shares, direction, square, total = scratch.shares, scratch.direction, 0.0, 0.0
     for i in range(n):
         direction[i] = _MEMORY * direction[i] + 1.0 - scratch.visits[i]
         square += direction[i] * direction[i]
