@@ -174,17 +174,10 @@ struct covey_ascend_tree_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_ascend_tree_results {
@@ -367,17 +360,10 @@ struct covey_commit_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_commit(const struct covey_commit_words *words, void *results);
@@ -594,17 +580,10 @@ struct covey_fly_pursuers_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_fly_pursuers(const struct covey_fly_pursuers_words *words, void *results);
@@ -644,17 +623,10 @@ struct covey_fly_teams_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_fly_teams(const struct covey_fly_teams_words *words, void *results);
@@ -697,17 +669,10 @@ struct covey_guarantee_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_guarantee_results {
@@ -748,17 +713,10 @@ struct covey_guaranteed_value_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_guaranteed_value_results {
@@ -852,17 +810,10 @@ struct covey_mean_over_draws_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_mean_over_draws_results {
@@ -911,17 +862,10 @@ struct covey_minimum_over_sequences_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_minimum_over_sequences_results {
@@ -1058,17 +1002,10 @@ struct covey_multistart_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_multistart_results {
@@ -1235,17 +1172,10 @@ struct covey_play_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_play_results {
@@ -1321,17 +1251,10 @@ struct covey_play_to_capture_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_play_to_capture_results {
@@ -1430,17 +1353,10 @@ struct covey_refine_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_refine_results {
@@ -1515,17 +1431,10 @@ struct covey_replan_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_replan(const struct covey_replan_words *words, void *results);
@@ -1636,17 +1545,10 @@ struct covey_survives_delays_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_survives_delays_results {
@@ -1708,17 +1610,10 @@ struct covey_tree_value_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 struct covey_tree_value_results {
@@ -1768,17 +1663,10 @@ struct covey_write_row_words {
     int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
     int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
     int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_values; int64_t workspace_walks_values_0; /* ((MOST_WEIGHT * n + 1) * n * 2**MOST_NEIGHBOURS,) by weight, last, memory */
-    int32_t *workspace_walks_steps; int64_t workspace_walks_steps_0; /* likewise: last and memory before */
-    int32_t *workspace_walks_transitions; int64_t workspace_walks_transitions_0; /* (n * n * 2**MOST_NEIGHBOURS,) */
+    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
+    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
+    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
     int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    double *workspace_walks_shares; int64_t workspace_walks_shares_0; /* (n,) of the evaders in the weight of a walk, 1 in the mean */
-    int64_t *workspace_walks_solved; int64_t workspace_walks_solved_0; /* (3,) evaders that the shares are for, 0: none; labels, states of a walk */
-    int64_t *workspace_walks_stages; int64_t workspace_walks_stages_0; /* (1,) after which a minimum is given up */
-    int64_t *workspace_walks_sets; int64_t workspace_walks_sets_0; /* (.,) labels: captured set and last captured */
-    double *workspace_walks_times; int64_t workspace_walks_times_0; /* (.,) earliest arrivals */
-    int32_t *workspace_walks_before; int64_t workspace_walks_before_0; /* (.,) the label before */
-    int32_t *workspace_walks_table; int64_t workspace_walks_table_0; /* (.,) hash table of labels */
     int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
 };
 int64_t covey_write_row(const struct covey_write_row_words *words, void *results);
