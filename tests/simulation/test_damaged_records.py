@@ -256,7 +256,7 @@ class Damaged:
 def test_more_evaders_than_can_play_are_refused():
     """Before their table is looked at: the checks take memory by the square of the team."""
     row = {
-        name: np.repeat(getattr(RECORDS[5], name)[:1], 21, axis=1)
+        name: np.repeat(getattr(RECORDS[5], name)[:1], 51, axis=1)
         for name in ("evader_positions", "evader_headings", "evader_turns", "pursuer_sequences")
     }
     crowd = dataclasses.replace(

@@ -46,8 +46,8 @@ def test_words_by_hand():
 def test_a_record_that_keeps_its_words_has_those_of_its_fields(kernel):
     opened = sum(leaf.words for leaf in leaves(parameters_of(kernel)))
     memory = new_workspace(3)
-    fields = [value for value in memory if isinstance(value, np.ndarray)]
-    assert len(memory.words) == 8 * (2 + sum(1 + field.ndim for field in fields))
+    fields = [value for value in (*memory, *memory.walks) if isinstance(value, np.ndarray)]
+    assert len(memory.words) == 8 * (3 + sum(1 + field.ndim for field in fields))
     assert opened > len(memory.words) // 8
 
 
@@ -57,7 +57,7 @@ def test_copies_do_not_take_the_words_along():
     for other in (copy.deepcopy(memory), pickle.loads(pickle.dumps(memory))):
         assert type(other) is type(memory)
         assert other.words != words
-        assert other.words[16:24] == struct.pack("=q", other.carved.ctypes.data)
+        assert other.words[24:32] == struct.pack("=q", other.carved.ctypes.data)
     assert memory._replace(size=1).words != words
 
 
