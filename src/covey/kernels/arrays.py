@@ -35,6 +35,9 @@ _LANES = 4  # floats in a register of the processor
 MOST_EVADERS = 50
 """Largest team: a set and a last captured evader are one integer."""
 
+MOST_IN_GAMES = 20
+"""Largest team in a game, which plans without a time limit: every inner minimum is exact."""
+
 LARGEST_TABLE = 17
 """Evaders up to which the minimum over all sequences keeps a table of all sets."""
 

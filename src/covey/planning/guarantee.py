@@ -12,6 +12,7 @@ import numpy.typing as npt
 from covey.kernels.arrays import (
     LARGEST_TABLE,
     MOST_EVADERS,
+    MOST_IN_GAMES,
     STAGES_GIVEN,
     STAGES_OF_GUARANTEE,
     Workspace,
@@ -98,13 +99,13 @@ def check_players(team: Team, disk: PursuerDisk) -> None:
     disk.require_faster_than(team)
 
 
-def check_game(team: Team, disk: PursuerDisk) -> None:
-    """Raise InputError as `check_players` does, or if the team is too large."""
+def check_game(team: Team, disk: PursuerDisk, most: int = MOST_IN_GAMES) -> None:
+    """Raise InputError as `check_players` does, or if the team has more than `most` evaders."""
     check_players(team, disk)
-    if len(team) > MOST_EVADERS:
+    if len(team) > most:
         raise InputError(
-            f"team: expected at most {MOST_EVADERS} evaders, got {len(team)}; the search over all "
-            f"capture sequences serves no larger team, so split the team"
+            f"team: expected at most {most} evaders, got {len(team)}; guaranteed_survival, and plan "
+            f"with a time_limit, serve {MOST_EVADERS}"
         )
 
 
@@ -231,7 +232,7 @@ def guaranteed_survival(
     >>> round(worst.time, 3), worst.sequence
     (3.149, (1, 0, 2))
     """
-    check_game(team, disk)
+    check_game(team, disk, MOST_EVADERS)
     if time_limit is not None:
         number("time_limit", time_limit, low=0.0)
     chosen = checked_objective(objective)

@@ -10,7 +10,7 @@ from enum import StrEnum
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels.arrays import LARGEST_TABLE
+from covey.kernels.arrays import LARGEST_TABLE, MOST_EVADERS, MOST_IN_GAMES
 from covey.kernels.maximum.initial_guesses import CANDIDATES
 from covey.kernels.maximum.objective import Draws
 from covey.kernels.maximum.problem import CONVERGED, STALLED, STEPS_USED_UP, Iterate, Problem
@@ -171,7 +171,8 @@ def plan(
     Parameters
     ----------
     team, disk
-        The state of the game; up to 50 evaders, for a sum up to 20, each slower than the pursuer.
+        The state of the game; up to 20 evaders, with a `time_limit` up to 50, for a sum up to 20.
+        Each is slower than the pursuer.
     objective
         What is made large: by default the last capture, guaranteed; `TotalSurvival()`, the sum of
         all survival times, guaranteed; `ExpectedSurvival(...)`, the expected value of either over a
@@ -226,7 +227,7 @@ def plan(
     >>> plan.goal_headings.round(2).tolist()
     [0.15, 2.31, -2.02]
     """
-    check_game(team, disk)
+    check_game(team, disk, MOST_IN_GAMES if time_limit is None else MOST_EVADERS)
     number("tolerance", tolerance, low=0.0, strictly=True)
     if time_limit is not None:
         number("time_limit", time_limit, low=0.0)

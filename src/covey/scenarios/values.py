@@ -22,7 +22,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
 
-from covey.kernels.arrays import MOST_EVADERS
+from covey.kernels.arrays import MOST_IN_GAMES
 from covey.model import InputError
 from covey.model.validation import LARGEST, is_unit_name
 
@@ -252,7 +252,7 @@ def as_whole(value: object) -> int | None:
 
 def _team_size(value: object) -> int | None:
     size = as_whole(value)
-    return size if size is not None and 1 <= size <= MOST_EVADERS else None
+    return size if size is not None and 1 <= size <= MOST_IN_GAMES else None
 
 
 def as_sequence(value: object) -> list[int] | None:
@@ -316,9 +316,9 @@ AtLeastOne = Annotated[
 TeamSize = Annotated[
     int,
     ValueType(
-        f"a whole number from 1 to {MOST_EVADERS}",
+        f"a whole number from 1 to {MOST_IN_GAMES}",
         _team_size,
-        limits={"minimum": 1, "maximum": MOST_EVADERS},
+        limits={"minimum": 1, "maximum": MOST_IN_GAMES},
     ),
 ]
 Flag = Annotated[

@@ -31,8 +31,6 @@ from covey.planning.open_loop import (
 )
 from covey.planning.workspace import workspace
 
-MOST_IN_TREES = 20
-"""Largest team of a contingent plan: its inner minima are always exact."""
 MOST_TURNS = 20_000
 """Of a tree: as many as seven evaders need to answer every capture, or twelve to answer three."""
 
@@ -224,11 +222,6 @@ def plan_contingent(
     """
     check_game(team, disk)
     n = len(team)
-    if n > MOST_IN_TREES:
-        raise InputError(
-            f"team: expected at most {MOST_IN_TREES} evaders for a contingent plan, got {n}; "
-            f"plan, or split the team"
-        )
     depth = n - 1 if depth is None else min(whole_number("depth", depth, low=0), n - 1)
     _require_room(n, depth)
     whole_number("seed", seed, low=0)
