@@ -104,8 +104,8 @@ def check_game(team: Team, disk: PursuerDisk, most: int = MOST_IN_GAMES) -> None
     check_players(team, disk)
     if len(team) > most:
         raise InputError(
-            f"team: expected at most {most} evaders, got {len(team)}; guaranteed_survival, and plan "
-            f"with a time_limit, serve {MOST_EVADERS}"
+            f"team: expected at most {most} evaders, got {len(team)}; guaranteed_survival serves "
+            f"up to {MOST_EVADERS}, and so does plan with a time_limit"
         )
 
 

@@ -153,4 +153,4 @@ def test_a_sum_for_more_than_twenty_is_refused():
     with pytest.raises(covey.InputError, match=message):
         covey.guaranteed_survival(team, disk, np.zeros(21), objective=covey.TotalSurvival())
     with pytest.raises(covey.InputError, match=message):
-        covey.plan(team, disk, objective=covey.TotalSurvival())
+        covey.plan(team, disk, objective=covey.TotalSurvival(), time_limit=1.0)
