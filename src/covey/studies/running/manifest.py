@@ -91,8 +91,10 @@ def extent_of(manifest: Mapping[str, Any], number: int) -> Extent:
     """Return the games of the part of a number."""
     cases, games = manifest["cases"], manifest["games"]
     step = manifest["parts"]["starts_per_part"] * cases
-    size = max(manifest["study"]["grid"]["team_size"])
-    return Extent(number * step, min((number + 1) * step, games), cases, size)
+    grid = manifest["study"]["grid"]
+    one_objective = all(each["name"] == "last-capture" for each in grid["objective"])
+    last = min((number + 1) * step, games)
+    return Extent(number * step, last, cases, max(grid["team_size"]), one_objective)
 
 
 def _complete(manifest: dict[str, Any]) -> None:

@@ -16,7 +16,8 @@ from covey.studies.running.tables import GAMES, decoded, schema
 if TYPE_CHECKING:
     import pyarrow as pa
 
-_ADDED = {"objective", "planned_value", "value", "turn_radius"}
+_OF_OBJECTIVES = {"objective", "planned_value", "value"}
+_ADDED = {*_OF_OBJECTIVES, "turn_radius"}
 """Columns that the tables of early versions lack: they knew one objective, and no radii."""
 
 
@@ -27,6 +28,7 @@ class Extent(NamedTuple):
     last: int  # number of the game after the last one
     cases: int  # games of each start
     size: int  # evaders in the largest team of the study
+    one_objective: bool  # whether all games are about the last capture
 
 
 class DamagedPartError(Exception):
@@ -39,7 +41,7 @@ def read_part(content: bytes, kind: str, extent: Extent) -> pa.Table:
 
     try:
         table = decoded(content)
-        _require_columns(table, kind, extent.size)  # reads the names, which may be no UTF-8
+        _require_columns(table, kind, extent)  # reads the names, which may be no UTF-8
     except (pa.ArrowException, OSError, ValueError) as error:
         raise DamagedPartError("its bytes are no table") from error
     if kind == GAMES:
@@ -54,10 +56,11 @@ def _require(holds: Any, wanted: str) -> None:
         raise DamagedPartError(f"expected {wanted}")
 
 
-def _require_columns(table: pa.Table, kind: str, size: int) -> None:
-    for field in schema(kind, size):
+def _require_columns(table: pa.Table, kind: str, extent: Extent) -> None:
+    may_lack = _ADDED if extent.one_objective else _ADDED - _OF_OBJECTIVES
+    for field in schema(kind, extent.size):
         there = field.name in table.column_names
-        _require(there or field.name in _ADDED, f"a column {field.name}")
+        _require(there or field.name in may_lack, f"a column {field.name}")
         same = not there or table.schema.field(field.name).type == field.type
         _require(same, f"{field.type} in the column {field.name}")
 

@@ -17,6 +17,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from covey.model import LastCapture
 from covey.simulation.files import make_folder, whole_file
 from covey.studies.design.study import Study
 from covey.studies.running.chunks import Chunk
@@ -50,7 +51,9 @@ def save_chunk(folder: Path, chunk: Chunk, result: ChunkResult) -> None:
 def is_saved(folder: Path, chunk: Chunk, study: Study) -> bool:
     """Return whether all files of a chunk exist and are undamaged."""
     cases = len(study.cases)
-    extent = Extent(chunk.first * cases, chunk.last * cases, cases, max(study.team_size))
+    one_objective = all(isinstance(each, LastCapture) for each in study.objective)
+    first, last = chunk.first * cases, chunk.last * cases
+    extent = Extent(first, last, cases, max(study.team_size), one_objective)
     return all(
         _is_whole(_part(folder, kind, chunk.number), kind, extent)
         for kind in kinds(study.trajectories)
