@@ -238,7 +238,8 @@ def as_not_negative(value: object) -> float | None:
 
 
 def _at_least_zero(value: float | None) -> float | None:
-    return value if value is not None and value >= 0.0 else None
+    """Return a number >= 0 or inf, or None."""
+    return math.inf if value == math.inf else _within(value, 0.0, math.inf)
 
 
 def _duration(value: object) -> float | None:

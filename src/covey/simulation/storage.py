@@ -249,6 +249,8 @@ def _column(table: Any, name: str) -> Floats | Ints:
     if name == "assurance" and name not in table.column_names:
         return np.full(len(table), math.inf)
     column: Floats | Ints = table.column(name).to_numpy()
+    if column.dtype not in (np.float64, np.int64):
+        raise ValueError(f"{name}: numbers of the type {column.dtype}")
     return column
 
 
