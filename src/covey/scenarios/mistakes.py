@@ -37,8 +37,8 @@ class Mistake(NamedTuple):
 
 
 def path_text(path: KeyPath) -> str:
-    """Write a path as one would look for it: team.evaders[2].speed."""
-    text = "".join(f"[{key}]" if isinstance(key, int) else f".{key}" for key in path)
+    """Write a path as one would look for it: team.evaders[2].speed; long keys shortened."""
+    text = "".join(f"[{key}]" if isinstance(key, int) else f".{_shortened(key)}" for key in path)
     return text.removeprefix(".")
 
 
@@ -70,6 +70,10 @@ def toml_text(value: object) -> str:
         text = "a table" + (f" with {', '.join(value)}" if value else " with nothing in it")
     else:
         text = str(value)
+    return _shortened(text)
+
+
+def _shortened(text: str) -> str:
     return text if len(text) <= _LONGEST_VALUE else text[: _LONGEST_VALUE - 3] + "..."
 
 
