@@ -171,7 +171,7 @@ def _latest_at_corners(
             next_captures(paths, pursuit, previous, i, earlier, times, predecessor[i])
         positions = _after(corners, others[-1], times)
     # The last evader is taken to turn at once from the time on at which it becomes the target.
-    places = _after(corners, last, np.full(count, known[last] - opening.time))
+    places = np.unique(_after(corners, last, np.full(count, known[last] - opening.time)), axis=0)
     away = places[np.newaxis] - positions[:, np.newaxis]
     distances = np.hypot(away[..., 0], away[..., 1])
     farthest = distances.argmax(axis=1)

@@ -32,6 +32,11 @@ OPENINGS = (0.0, 0.35, 0.65, 0.8, 0.9)
 """Times of the opening flights that are compared, over the time of the first capture expected."""
 
 
+_FASTEST = 0.9999
+"""Share of the pursuer's speed up to which turn limits count: polygons for faster evaders have
+thousands of corners."""
+
+
 class UpperEnd(NamedTuple):
     """A time by which a pursuer has captured everybody, whatever the team does, and how."""
 
@@ -70,7 +75,8 @@ def earliest_end(
     """
     agile = Team(team.positions, team.headings, team.speeds, math.inf)
     end = _best(agile, disk, announcements(agile, _without_reach(disk), known)[:1], (0.0,))
-    if not openings or np.isinf(team.turn_rates).all():
+    fastest = float(team.speeds.max())
+    if not openings or np.isinf(team.turn_rates).all() or fastest > _FASTEST * disk.speed:
         return end
     plans = announcements(team, _without_reach(disk), known)[:_FINALISTS]
     limited = _best(team, disk, plans, openings)
