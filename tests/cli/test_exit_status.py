@@ -34,7 +34,7 @@ WORK = {
     "study": "covey.studies.running.run.Scheduler.run",
     "reproduce": "covey.scenarios.Scenario.simulate",
     "yardstick": "covey.studies.analysis.yardstick.measure",
-    "chase": "covey.web.server.serve",
+    "chase": "covey.web.serving.server.serve",
     "warmup": "covey.cli.commands.warmup.load_library",
 }
 """What each command does after it has checked its arguments."""

@@ -8,7 +8,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from threading import Lock
 from typing import Generic, TypeVar
 
-from covey.web.fair_queue import FairQueue
+from covey.web.serving.fair_queue import FairQueue
 
 Result = TypeVar("Result")
 

@@ -11,8 +11,8 @@ from covey.model import InputError
 from covey.players import BestSequence, CommittedPursuer, simulate
 from covey.simulation import Game, Settings
 from covey.simulation.match import Match
-from covey.web.choices import Choices
-from covey.web.human_pursuer import HumanPursuer
+from covey.web.game.choices import Choices
+from covey.web.game.human_pursuer import HumanPursuer
 from covey.web.worker import worker
 
 UPDATE_TIME = 0.005

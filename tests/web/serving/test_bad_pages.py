@@ -15,8 +15,8 @@ from contextlib import closing, contextmanager
 import pytest
 from websockets.exceptions import ConnectionClosed
 
-from covey.web import app, protocol
-from covey.web.session import Session
+from covey.web.game.session import Session
+from covey.web.serving import app, protocol
 from web import bad_pages
 from web.bad_pages import (
     BYTES,

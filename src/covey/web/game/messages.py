@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
 from covey.model import InputError
-from covey.web.choices import Choices
+from covey.web.game.choices import Choices
 
 MOST_CHARACTERS = 2000
 MOST_MISTAKES = 10

@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from covey.web.fair_queue import FairQueue
+from covey.web.serving.fair_queue import FairQueue
 
 SECONDS = st.lists(st.floats(0.001, 5.0), min_size=20, max_size=20)
 

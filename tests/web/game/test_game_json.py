@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import covey
-from covey.web.game_json import frame
+from covey.web.game.game_json import frame
 
 ORIGIN = (3.0, -2.0)
 STARTS = [[0.3, 0.1], [-0.2, 0.35], [0.1, -0.4], [-0.4, -0.15]]

@@ -7,8 +7,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from covey.web import app
-from covey.web.admission import Admission
+from covey.web.serving import app
+from covey.web.serving.admission import Admission
 
 
 def waits(admission, times, address="a"):

@@ -17,10 +17,10 @@ import h11
 import uvicorn
 
 from covey.model import InputError
-from covey.web.app import make_app
-from covey.web.protocol import LimitedProtocol
-from covey.web.session import Session
-from covey.web.upload import MOST_BYTES
+from covey.web.game.session import Session
+from covey.web.game.upload import MOST_BYTES
+from covey.web.serving.app import make_app
+from covey.web.serving.protocol import LimitedProtocol
 from covey.web.worker import worker
 
 _GRACE = 1

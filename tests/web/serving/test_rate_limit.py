@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from covey.web.rate_limit import TokenBucket
+from covey.web.serving.rate_limit import TokenBucket
 
 
 def taken(bucket, times, cost=1.0):

@@ -10,8 +10,8 @@ from types import SimpleNamespace
 import pytest
 from starlette.websockets import WebSocketDisconnect
 
-from covey.web import connection
-from covey.web.messages import is_quick
+from covey.web.game.messages import is_quick
+from covey.web.serving import connection
 
 TEXT, FILE = {"text": "x"}, {"bytes": b"x"}
 

@@ -18,13 +18,13 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 import covey.web
 from covey.model import InputError
-from covey.web import app
 from covey.web import worker as module
-from covey.web.fair_threads import FairThreads
-from covey.web.human_game import UPDATE_TIME
-from covey.web.origin import is_own_host, is_own_origin
-from covey.web.server import listen, page_address
-from covey.web.session import Session
+from covey.web.game.human_game import UPDATE_TIME
+from covey.web.game.session import Session
+from covey.web.serving import app
+from covey.web.serving.fair_threads import FairThreads
+from covey.web.serving.origin import is_own_host, is_own_origin
+from covey.web.serving.server import listen, page_address
 from web.served_pages import hear, say, wait_for
 
 FILES = Path(covey.web.__file__).parent / "page"

@@ -9,11 +9,11 @@ from typing import Any
 from covey.model import InputError
 from covey.simulation import Game
 from covey.simulation.storage import write_game
-from covey.web.game_json import film, frame, header
-from covey.web.human_game import TIME_LIMIT, UPDATE_TIME, HumanGame
-from covey.web.messages import Film, New, Pause, Run, Save, Steer, Step, read_message
-from covey.web.pacing import Pacer
-from covey.web.upload import read_upload
+from covey.web.game.game_json import film, frame, header
+from covey.web.game.human_game import TIME_LIMIT, UPDATE_TIME, HumanGame
+from covey.web.game.messages import Film, New, Pause, Run, Save, Steer, Step, read_message
+from covey.web.game.pacing import Pacer
+from covey.web.game.upload import read_upload
 from covey.web.worker import worker
 
 STEP_UPDATES = 10

@@ -7,8 +7,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from covey.web import fair_threads
-from covey.web.fair_threads import FairThreads
+from covey.web.serving import fair_threads
+from covey.web.serving.fair_threads import FairThreads
 
 
 class Kitchen:

@@ -15,9 +15,9 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from starlette.websockets import WebSocket, WebSocketClose
 
-from covey.web.admission import Admission
-from covey.web.connection import converse
-from covey.web.origin import address_of, is_own_host, is_own_origin
+from covey.web.serving.admission import Admission
+from covey.web.serving.connection import converse
+from covey.web.serving.origin import address_of, is_own_host, is_own_origin
 
 MOST_PAGES = 200
 """At once; the server tells another page to come back later."""
@@ -25,7 +25,7 @@ MOST_PAGES = 200
 _REQUESTS_PER_SECOND, _REQUESTS_AT_ONCE = 50.0, 200
 """Of one address. A page makes 16 when it is opened, each takes 1 to 3 ms."""
 
-_FOLDER = Path(__file__).parent / "page"
+_FOLDER = Path(__file__).parents[1] / "page"
 _TRY_AGAIN_LATER = 1013
 
 _HEADERS = {

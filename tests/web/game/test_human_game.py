@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import covey
-from covey.web import human_game
-from covey.web.choices import Choices
-from covey.web.game_json import frame, header
-from covey.web.human_game import LONGEST_GUARANTEE, UPDATE_TIME, HumanGame
+from covey.web.game import human_game
+from covey.web.game.choices import Choices
+from covey.web.game.game_json import frame, header
+from covey.web.game.human_game import LONGEST_GUARANTEE, UPDATE_TIME, HumanGame
 from web.chase_pages import aim
 
 BOTH = pytest.mark.parametrize("sensing", ["visible", "hidden"])

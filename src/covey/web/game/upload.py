@@ -6,7 +6,7 @@ from io import BytesIO
 
 from covey.model import InputError
 from covey.simulation.storage import read_game
-from covey.web.game_json import film
+from covey.web.game.game_json import film
 
 MOST_BYTES = 16 * 2**20
 MOST_NUMBERS = 10**7

@@ -5,8 +5,8 @@ from __future__ import annotations
 import gc
 
 from covey.simulation import Game
-from covey.web.human_game import HumanGame
-from covey.web.session import Session
+from covey.web.game.human_game import HumanGame
+from covey.web.game.session import Session
 from web.served_pages import hear, say, wait_for
 
 OBJECTS_OF_A_FILM = 1000

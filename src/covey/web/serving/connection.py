@@ -10,11 +10,11 @@ from collections.abc import Iterator
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from covey.web.fair_threads import FairThreads
-from covey.web.messages import is_quick
-from covey.web.origin import address_of
-from covey.web.rate_limit import TokenBucket
-from covey.web.session import Reply, Session, error_reply
+from covey.web.game.messages import is_quick
+from covey.web.game.session import Reply, Session, error_reply
+from covey.web.serving.fair_threads import FairThreads
+from covey.web.serving.origin import address_of
+from covey.web.serving.rate_limit import TokenBucket
 
 _FRAME = 1.0 / 60.0
 """Seconds between two frames: enough for every screen, since the page interpolates."""

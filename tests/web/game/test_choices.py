@@ -11,7 +11,7 @@ from pydantic import ValidationError
 
 import covey
 from covey.scenarios import example_path
-from covey.web.choices import Choices
+from covey.web.game.choices import Choices
 
 
 @pytest.mark.parametrize("start", ["random", "formation"])

@@ -8,7 +8,7 @@ from typing import Any
 
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
 
-from covey.web.rate_limit import TokenBucket
+from covey.web.serving.rate_limit import TokenBucket
 
 _SHARE, _BURST = 0.1, 0.5
 """Of the network thread's processor time that one page may take, and seconds that it may save up.
