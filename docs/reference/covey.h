@@ -631,56 +631,6 @@ struct covey_fly_teams_words {
 };
 int64_t covey_fly_teams(const struct covey_fly_teams_words *words, void *results);
 
-/* Return a time or sum that turns guarantee, and that of the worst sequence that is found.
-
-   Parameters
-   ----------
-   evaders
-       (n, EVADER).
-   turns
-       (n,) signed turns, radians.
-   pursuit
-       The pursuer.
-   total
-       Whether the sum of all capture times is minimised; else the last capture.
-   sequence
-       (n,) the worst order that is found; modified in place.
-   workspace
-       With room for n evaders, and for sums where `total`; modified in place. */
-struct covey_guarantee_words {
-    double *evaders; int64_t evaders_0, evaders_1;
-    double *turns; int64_t turns_0;
-    double pursuit_center_x;
-    double pursuit_center_y;
-    double pursuit_first_radius;
-    double pursuit_later_radius;
-    double pursuit_speed;
-    int64_t total;
-    int64_t *sequence; int64_t sequence_0;
-    int64_t workspace_size; /* n: evaders that the scratch has room for */
-    int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
-    int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
-    double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
-    double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
-    double *workspace_wide_rows; int64_t workspace_wide_rows_0, workspace_wide_rows_1; /* (., n + 2) */
-    double *workspace_path_rows; int64_t workspace_path_rows_0, workspace_path_rows_1; /* (., PATH) */
-    double *workspace_padded_rows; int64_t workspace_padded_rows_0, workspace_padded_rows_1; /* (., n rounded up to a multiple of the processor's lanes) */
-    int64_t *workspace_ints; int64_t workspace_ints_0; /* (.,) */
-    int64_t *workspace_int_rows; int64_t workspace_int_rows_0, workspace_int_rows_1; /* (., n) */
-    int32_t *workspace_slots; int64_t workspace_slots_0; /* (2**n,) zeros at first; carved as a whole */
-    double *workspace_walks_floats; int64_t workspace_walks_floats_0;
-    int64_t *workspace_walks_ints; int64_t workspace_walks_ints_0; /* begins with SOLVED, ..., STAGES_GIVEN */
-    int32_t *workspace_walks_int32s; int64_t workspace_walks_int32s_0;
-    int64_t *workspace_walks_neighbours; int64_t workspace_walks_neighbours_0, workspace_walks_neighbours_1; /* (n, MOST_NEIGHBOURS + 1) how many there are, and who */
-    int64_t *workspace_stop; int64_t workspace_stop_0; /* (1,) `GO_ON`; another thread may write `FINISH` or `ABANDON` */
-};
-struct covey_guarantee_results {
-    double value_0;
-    double value_1;
-};
-int64_t covey_guarantee(const struct covey_guarantee_words *words, struct covey_guarantee_results *results);
-
 /* Return the guaranteed last capture, or sum, if the living fly their plan to the end.
 
    The paths of the state and the workspace are modified in place. */

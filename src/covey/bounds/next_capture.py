@@ -18,13 +18,8 @@ from covey.bounds.candidates import candidate_sequences
 from covey.bounds.matrix_game import best_weights
 from covey.kernels.bounds.announced_sequences import FLIGHT
 from covey.kernels.bounds.corner_programme import CORNER, STATE, CornerProgramme
-from covey.kernels.bounds.next_capture import (
-    Branches,
-    Mixture,
-    MixtureScratch,
-    climb_mixture,
-    mixture_bound,
-)
+from covey.kernels.bounds.mixture import Mixture, MixtureScratch, climb_mixture
+from covey.kernels.bounds.mixture_bound import Branches, mixture_bound
 from covey.kernels.capture.path import EVADER
 from covey.model import PursuerDisk, Team
 from covey.model.angles import unit_vectors

@@ -22,7 +22,7 @@ from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.capture.sequence import capture_times as sequence_times
 from covey.kernels.maximum.problem import Problem
 from covey.kernels.maximum.values import mean_over_draws, minimum_over_sequences
-from covey.kernels.minimum.inner_minimum import guarantee
+from covey.kernels.minimum.large.scratch import LOWER
 from covey.model import (
     ExpectedSurvival,
     InputError,
@@ -267,7 +267,8 @@ def worst_sequence(
 
     def bounds(scratch: Workspace) -> tuple[float, float]:
         scratch.walks.ints[STAGES_GIVEN] = STAGES_OF_GUARANTEE
-        return guarantee(evaders, turns, pursuit, total, sequence, scratch)
+        upper = least(scratch)
+        return float(scratch.walks.floats[LOWER]), upper
 
     if total or n <= LARGEST_TABLE:
         lower = upper = interruptible(least, n, total, interceptions)

@@ -11,7 +11,8 @@ import pytest
 import covey
 from covey.kernels.arrays import FINISH, SOLVED, STAGES_GIVEN, new_workspace
 from covey.kernels.capture.sequence import capture_times
-from covey.kernels.minimum.inner_minimum import guarantee
+from covey.kernels.maximum.values import minimum_over_sequences
+from covey.kernels.minimum.large.scratch import LOWER
 from covey.planning import workspace as workspaces
 from covey.planning.guarantee import about_center, paths_of, pursuit_of
 from random_games import random_game, random_turns
@@ -31,8 +32,10 @@ def bounds_without_table(team, disk, turns, *, stages=12, warm=False, stop=0):
     memory.walks.ints[STAGES_GIVEN], memory.stop[0] = stages, stop
     sequence = np.empty(len(team), np.int64)
     moved, about = about_center(team, disk)
-    found = guarantee(moved.as_rows(), turns, pursuit_of(about), False, sequence, memory)
-    return *found, sequence
+    upper = minimum_over_sequences(
+        moved.as_rows(), turns, pursuit_of(about), False, math.inf, sequence, memory
+    )
+    return memory.walks.floats[LOWER], upper, sequence
 
 
 def games(count, number, seed=0):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from covey.kernels._jit import compiled, inlined
+from covey.kernels._jit import compiled
 from covey.kernels.arrays import Floats, Ints
-from covey.kernels.capture.interception import earliest_capture
-from covey.kernels.capture.pursuit import Pursuit, disk_after, initial_disk
+from covey.kernels.capture.pursuit import Pursuit
+from covey.kernels.capture.sequence import next_capture, retime
 
 _FEWEST = 10  # below, improving the sequence takes longer than the search that it prunes
 
@@ -47,23 +47,16 @@ def nearest_first(
     for k in range(len(paths)):
         nearest, soonest = max(first, 0), math.inf
         if k == 0 and first >= 0:
-            soonest = _next_capture(paths, pursuit, -1, 0.0, first)
+            soonest = next_capture(paths, pursuit, -1, 0.0, first)
         else:
             for i in range(len(paths)):
                 if not captured >> i & 1:
-                    arrival = _next_capture(paths, pursuit, last, time, i)
+                    arrival = next_capture(paths, pursuit, last, time, i)
                     if arrival < soonest:
                         nearest, soonest = i, arrival
         captured, last, time = captured | 1 << nearest, nearest, soonest
         sequence[k], times[k] = nearest, soonest
     return time
-
-
-@inlined
-def _next_capture(paths: Floats, pursuit: Pursuit, last: int, time: float, i: int) -> float:
-    """Return when i is captured after `last` was captured at `time`; as the first if that is -1."""
-    disk = disk_after(paths, last, time, pursuit) if last >= 0 else initial_disk(pursuit)
-    return earliest_capture(paths, i, disk)
 
 
 @compiled
@@ -75,7 +68,7 @@ def _reinsert(paths: Floats, pursuit: Pursuit, i: int, sequence: Ints, times: Fl
         old += 1
     for k in range(old, n - 1):
         sequence[k] = sequence[k + 1]
-    _retime(paths, pursuit, old, sequence[: n - 1], times)
+    retime(paths, pursuit, old, sequence[: n - 1], times)
     best = old
     for slot in range(n):
         if slot != old:
@@ -85,19 +78,7 @@ def _reinsert(paths: Floats, pursuit: Pursuit, i: int, sequence: Ints, times: Fl
     for k in range(n - 1, best, -1):
         sequence[k] = sequence[k - 1]
     sequence[best] = i
-    return _retime(paths, pursuit, best, sequence[:n], times)
-
-
-@compiled
-def _retime(paths: Floats, pursuit: Pursuit, begin: int, sequence: Ints, times: Floats) -> float:
-    """Write the times of a sequence from its slot `begin` on; return the last time."""
-    last, time = -1, 0.0
-    if begin > 0:
-        last, time = sequence[begin - 1], times[begin - 1]
-    for k in range(begin, len(sequence)):
-        time = _next_capture(paths, pursuit, last, time, sequence[k])
-        last, times[k] = sequence[k], time
-    return time
+    return retime(paths, pursuit, best, sequence[:n], times)
 
 
 @compiled
@@ -114,11 +95,11 @@ def _last_capture_with(
     last, time = -1, 0.0
     if slot > 0:
         last, time = sequence[slot - 1], times[slot - 1]
-    time = _next_capture(paths, pursuit, last, time, i)
+    time = next_capture(paths, pursuit, last, time, i)
     last = i
     for k in range(slot, len(paths) - 1):
         if time >= bound:
             break
-        time = _next_capture(paths, pursuit, last, time, sequence[k])
+        time = next_capture(paths, pursuit, last, time, sequence[k])
         last = sequence[k]
     return time

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
-from covey.kernels._jit import compiled, entry, inlined
+from covey.kernels._jit import compiled, inlined
 from covey.kernels.arrays import (
     Floats,
     Ints,
-    IntVector,
-    Matrix,
-    Vector,
     WalkMemory,
     Workspace,
     begin_carving,
@@ -19,11 +15,9 @@ from covey.kernels.arrays import (
     ints,
     path_rows,
 )
-from covey.kernels.capture.path import set_paths
 from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.minimum.labels import SubsetScratch, subset_scratch
 from covey.kernels.minimum.large.minimum import large_minimum
-from covey.kernels.minimum.large.scratch import LOWER
 from covey.kernels.minimum.last_capture import min_last_capture
 from covey.kernels.minimum.total_time import TotalTimeScratch, min_total_time, total_time_scratch
 
@@ -78,50 +72,3 @@ def inner_minimum(
             paths, pursuit, bound, sequence, scratch.large, table.lines, table.stop
         )
     return min_last_capture(paths, pursuit, bound, sequence, scratch.last_capture)
-
-
-@compiled
-def guaranteed_minimum(
-    paths: Floats, pursuit: Pursuit, total: bool, sequence: Ints, scratch: InnerScratch
-) -> tuple[float, float]:
-    """Return a time or sum that no sequence beats, and that of the worst sequence that is found.
-
-    Both are the minimum, but for large teams of which the search gives up. `sequence` (n,) is
-    modified in place.
-    """
-    value, _ = inner_minimum(paths, pursuit, total, math.inf, sequence, scratch)
-    if len(paths) > scratch.largest_table and not total:
-        return scratch.large.floats[LOWER], value
-    return value, value
-
-
-@entry
-def guarantee(
-    evaders: Matrix,
-    turns: Vector,
-    pursuit: Pursuit,
-    total: bool,
-    sequence: IntVector,
-    workspace: Workspace,
-) -> tuple[float, float]:
-    """Return a time or sum that turns guarantee, and that of the worst sequence that is found.
-
-    Parameters
-    ----------
-    evaders
-        (n, EVADER).
-    turns
-        (n,) signed turns, radians.
-    pursuit
-        The pursuer.
-    total
-        Whether the sum of all capture times is minimised; else the last capture.
-    sequence
-        (n,) the worst order that is found; modified in place.
-    workspace
-        With room for n evaders, and for sums where `total`; modified in place.
-    """
-    scratch = inner_scratch(workspace)
-    paths = scratch.paths[: len(turns)]
-    set_paths(evaders, turns, pursuit.speed, paths)
-    return guaranteed_minimum(paths, pursuit, total, sequence, scratch)

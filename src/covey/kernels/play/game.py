@@ -20,7 +20,7 @@ from covey.kernels.arrays import (
 from covey.kernels.capture.path import HEADING, X, Y
 from covey.kernels.library.layout import kept
 from covey.kernels.maximum.working_set import without
-from covey.kernels.minimum.inner_minimum import guaranteed_minimum, inner_scratch
+from covey.kernels.minimum.inner_minimum import inner_minimum, inner_scratch
 from covey.kernels.play.commitment import Commitment, commit
 from covey.kernels.play.policy import ReplanOptions, TeamMemory, replan_if_due
 from covey.kernels.play.rules import (
@@ -118,7 +118,9 @@ def write_row(
     if n > 0:
         scratch = inner_scratch(workspace)
         pursuit, worst = pursuit_from(state.disk, rules), scratch.sequence[:n]
-        log.guarantees[row], _ = guaranteed_minimum(state.paths[:n], pursuit, False, worst, scratch)
+        log.guarantees[row], _ = inner_minimum(
+            state.paths[:n], pursuit, False, math.inf, worst, scratch
+        )
         for k in range(n):
             log.critical[row, k] = state.ids[worst[k]]
 

@@ -15,7 +15,7 @@ from covey.kernels.capture.path import START_X, START_Y, position
 from covey.kernels.capture.pursuit import GrowingDisk, Pursuit
 from covey.kernels.capture.straight_legs import latest_departures
 from covey.kernels.minimum.large.neighbours import FORBIDDEN
-from covey.kernels.minimum.large.scratch import STATES, UPPER, LargeScratch, slot_of
+from covey.kernels.minimum.large.scratch import STATES, UPPER, LargeScratch, State, slot_of
 from covey.kernels.minimum.large.walks import is_undominated
 
 # Deadlines are later than need be at each capture, by this much of the bound and of the time that
@@ -48,7 +48,8 @@ def set_completions(
                 time = values[begin + memory]
                 if is_undominated(memory, time, -1.0, bits, scratch.least) and time >= 0.0:
                     scratch.known[STATES] += 1.0
-                    _extend_back(paths, pursuit, slack, weight - q, i, memory, bits, begin, scratch)
+                    state = State(i, memory, begin, weight - q)
+                    _extend_back(paths, pursuit, slack, state, bits, scratch)
     for begin in range(0, slot_of(n, size, weight + 1, 0), size):
         _look_from_before(values[begin : begin + size], bits)
 
@@ -74,19 +75,12 @@ def _slack(paths: Floats, pursuit: Pursuit, bound: float) -> float:
 
 @inlined
 def _extend_back(
-    paths: Floats,
-    pursuit: Pursuit,
-    slack: float,
-    left: int,
-    i: int,
-    memory: int,
-    bits: int,
-    begin: int,
-    scratch: LargeScratch,
+    paths: Floats, pursuit: Pursuit, slack: float, state: State, bits: int, scratch: LargeScratch
 ) -> None:
     """Extend a state by each capture just before, that its memory and the weight left allow."""
     n, size, values = len(paths), 1 << bits, scratch.values
     transitions, departures = scratch.transitions, scratch.arrivals
+    i, memory, begin, left = state
     deadline = values[begin + memory]
     x, y = position(paths, i, deadline)
     goal = GrowingDisk(x, y, pursuit.later_radius, deadline, pursuit.speed)

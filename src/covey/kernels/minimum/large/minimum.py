@@ -43,7 +43,7 @@ from covey.kernels.minimum.large.scratch import (
     large_scratch,
 )
 from covey.kernels.minimum.large.search import FAILED, search_labels
-from covey.kernels.minimum.large.tours import improve, repair
+from covey.kernels.minimum.large.tours import Tour, improve, repair
 from covey.kernels.minimum.large.walks import least_walk, trace_walk
 from covey.kernels.minimum.large.weights import count_visits, set_weights, step_shares
 
@@ -128,9 +128,9 @@ def _begin(paths: Floats, pursuit: Pursuit, bound: float, scratch: LargeScratch)
         if first[i] < paths[i, TURN_END]:
             first[i] = capture_in_turn(paths, i, disk)
     if bound == math.inf:
-        sequence, times = scratch.sequence[:n], scratch.capture_times[:n]
-        greedy_sequence(paths, pursuit, sequence, scratch.arrivals)
-        bound = improve(paths, pursuit, sequence, times, scratch.trial[:n])
+        tour = Tour(scratch.sequence[:n], scratch.capture_times[:n], scratch.trial[:n])
+        greedy_sequence(paths, pursuit, tour.sequence, tour.times)
+        bound = improve(paths, pursuit, tour)
     scratch.known[LOWER], scratch.known[UPPER], scratch.known[STATES] = 0.0, bound, 0.0
 
 
@@ -259,11 +259,11 @@ def _grow(n: int, walk: Ints, most: int, scratch: LargeScratch) -> None:
 def _improve_upper(paths: Floats, pursuit: Pursuit, walk: Ints, scratch: LargeScratch) -> None:
     """Lower the upper bound by the sequence that a walk becomes, if this is better."""
     n, known = len(paths), scratch.known
-    candidate, times, trial = scratch.candidate[:n], scratch.capture_times[:n], scratch.trial[:n]
-    time = repair(paths, pursuit, walk, candidate, times, trial)
+    tour = Tour(scratch.candidate[:n], scratch.capture_times[:n], scratch.trial[:n])
+    time = repair(paths, pursuit, walk, tour)
     if time < _WORTH_IMPROVING * known[UPPER]:
-        time = improve(paths, pursuit, candidate, times, trial)
+        time = improve(paths, pursuit, tour)
     if time < known[UPPER]:
         known[UPPER] = time
         for k in range(n):
-            scratch.sequence[k] = candidate[k]
+            scratch.sequence[k] = tour.sequence[k]

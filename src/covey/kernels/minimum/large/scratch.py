@@ -29,6 +29,15 @@ ALWAYS_PROVEN = 20
 second."""
 
 
+class State(NamedTuple):
+    """Of a walk, from which it is extended."""
+
+    last: int  # the evader that it ends with
+    memory: int
+    first_slot: int  # of the states of this evader with the same weight
+    weight_left: int  # that is still to be collected
+
+
 class LargeScratch(NamedTuple):
     """Arrays of the minimum for n evaders. A set of evaders is a bit mask."""
 

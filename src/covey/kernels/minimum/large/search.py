@@ -7,6 +7,7 @@ of sets of one size are looked up in a hash table.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
 from covey.kernels.arrays import MOST_EVADERS, Floats, Int32s, Ints, padded
@@ -19,6 +20,7 @@ from covey.kernels.minimum.large.scratch import STATES, UPPER, LargeScratch, is_
 from covey.kernels.minimum.large.walks import earliest_in_turn
 
 FAILED = -1.0
+_FULL = -1
 
 _SET = (1 << MOST_EVADERS) - 1
 # A product of 30 and 32 bits doesn't overflow.
@@ -26,6 +28,14 @@ _LOW_BITS = 30
 _LOW = (1 << _LOW_BITS) - 1
 _MIX_LOW, _MIX_HIGH = 0x9E3779B1, 0x85EBCA77
 _SMALLEST = 1 << 10  # slots of a hash table
+
+
+class Layer(NamedTuple):
+    """The labels of sets of one size."""
+
+    begin: int
+    end: int  # `_FULL` where there was no room for a label
+    slots: int  # of their hash table
 
 
 @compiled
@@ -53,18 +63,15 @@ def search_labels(
     budget = min(budget, len(scratch.sets))
     begin, end = 0, _first_labels(n, weight, size, scratch)
     for _ in range(n - 1):
-        slots = _smallest_table(end - begin, scratch.table)
-        for slot in range(slots):
+        layer = Layer(end, end, _smallest_table(end - begin, scratch.table))
+        for slot in range(layer.slots):
             scratch.table[slot] = 0
-        layer = last_label = end
         for label in range(begin, end):
-            last_label, slots = _extend(
-                paths, pursuit, bits, label, layer, last_label, slots, budget, scratch
-            )
-            if last_label < 0 or is_to_end(n, scratch):
+            layer = _extend(paths, pursuit, bits, label, budget, layer, scratch)
+            if layer.end == _FULL or is_to_end(n, scratch):
                 return FAILED
         scratch.known[STATES] += float(end - begin)
-        begin, end = layer, last_label
+        begin, end = layer.begin, layer.end
     return _best_of(n, begin, end, scratch)
 
 
@@ -97,19 +104,15 @@ def _extend(
     pursuit: Pursuit,
     bits: int,
     label: int,
-    layer: int,
-    last_label: int,
-    slots: int,
     budget: int,
+    layer: Layer,
     scratch: LargeScratch,
-) -> tuple[int, int]:
-    """Extend a label by the capture of each remaining evader.
-
-    Returns the end of the labels, -1 where there is no room, and the slots of the hash table.
-    """
+) -> Layer:
+    """Extend a label by the capture of each remaining evader; return the next layer."""
     n, size, arrivals = len(paths), 1 << bits, scratch.arrivals
     captured, last = scratch.sets[label] & _SET, scratch.sets[label] >> MOST_EVADERS
     count, weight = _set_remaining(n, captured, scratch)
+    end, slots = layer.end, layer.slots
     disk = disk_after(paths, last, scratch.times[label], pursuit)
     captures_on_lines(scratch.lines, disk, arrivals[: padded(n)])
     for k in range(count):
@@ -124,13 +127,13 @@ def _extend(
             continue
         if arrival > scratch.values[begin + memory_of(scratch.neighbours, j, captured)]:
             continue
-        if last_label == budget:
-            return -1, slots
+        if end == budget:
+            return Layer(layer.begin, _FULL, slots)
         key = j << MOST_EVADERS | captured | 1 << j
-        last_label = _enter(key, arrival, label, last_label, slots, scratch)
-        if 2 * (last_label - layer) > slots and slots < len(scratch.table):
-            slots = _double(layer, last_label, slots, scratch)
-    return last_label, slots
+        end = _enter(key, arrival, label, end, slots, scratch)
+        if 2 * (end - layer.begin) > slots and slots < len(scratch.table):
+            slots = _double(layer.begin, end, slots, scratch)
+    return Layer(layer.begin, end, slots)
 
 
 @inlined
@@ -147,18 +150,18 @@ def _set_remaining(n: int, captured: int, scratch: LargeScratch) -> tuple[int, i
 
 @inlined
 def _enter(
-    key: int, arrival: float, label: int, last_label: int, slots: int, scratch: LargeScratch
+    key: int, arrival: float, label: int, end: int, slots: int, scratch: LargeScratch
 ) -> int:
     """Enter a label unless there is an earlier label; return the end of the labels."""
     slot = _slot_of_key(key, slots, scratch.sets, scratch.table)
     entered = scratch.table[slot] - 1
     if entered < 0:
-        entered, last_label = last_label, last_label + 1
+        entered, end = end, end + 1
         scratch.table[slot], scratch.sets[entered] = entered + 1, key
         scratch.times[entered] = math.inf
     if arrival < scratch.times[entered]:
         scratch.times[entered], scratch.before[entered] = arrival, label
-    return last_label
+    return end
 
 
 @inlined
@@ -172,12 +175,12 @@ def _slot_of_key(key: int, slots: int, sets: Ints, table: Int32s) -> int:
 
 
 @compiled
-def _double(layer: int, last_label: int, slots: int, scratch: LargeScratch) -> int:
-    """Enter the labels from `layer` on into a table twice as large; return its slots."""
+def _double(begin: int, end: int, slots: int, scratch: LargeScratch) -> int:
+    """Enter the labels of a layer into a table twice as large; return its slots."""
     slots *= 2
     for slot in range(slots):
         scratch.table[slot] = 0
-    for label in range(layer, last_label):
+    for label in range(begin, end):
         slot = _slot_of_key(scratch.sets[label], slots, scratch.sets, scratch.table)
         scratch.table[slot] = label + 1
     return slots

@@ -3,125 +3,94 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
 from covey.kernels.arrays import Floats, Ints
-from covey.kernels.capture.interception import earliest_capture
-from covey.kernels.capture.pursuit import Pursuit, disk_after, initial_disk
+from covey.kernels.capture.pursuit import Pursuit
+from covey.kernels.capture.sequence import next_capture, retime
 
 _LONGEST_MOVED = 3  # evaders that move together; stretches of any length are reversed
 _ROUNDING = 1e-12
 
 
+class Tour(NamedTuple):
+    """A sequence that is changed by moves."""
+
+    sequence: Ints  # (n,)
+    times: Floats  # (n,) its capture times
+    trial: Ints  # (n,) the sequence after a move that is tried
+
+
 @compiled
-def repair(
-    paths: Floats,
-    pursuit: Pursuit,
-    walk: Ints,
-    sequence: Ints,
-    times: Floats,
-    trial: Ints,
-) -> float:
-    """Write a sequence like a walk, and its capture times; return the last time.
+def repair(paths: Floats, pursuit: Pursuit, walk: Ints, tour: Tour) -> float:
+    """Make a walk, the last capture first, into a sequence; return the last time.
 
     Each evader stays where the walk captures it first; who is skipped comes in where the last
-    capture is earliest.
-
-    Parameters
-    ----------
-    paths
-        (n, PATH).
-    pursuit
-        The pursuer.
-    walk
-        The last capture first.
-    sequence, times
-        (n,) modified in place.
-    trial
-        (n,) scratch.
+    capture is earliest. The tour is modified in place.
     """
     n, captured, count = len(paths), 0, 0
     for k in range(len(walk) - 1, -1, -1):
         if not captured >> walk[k] & 1:
             captured |= 1 << walk[k]
-            sequence[count] = walk[k]
+            tour.sequence[count] = walk[k]
             count += 1
-    time = retime(paths, pursuit, 0, sequence[:count], times)
+    time = retime(paths, pursuit, 0, tour.sequence[:count], tour.times)
     for i in range(n):
         if not captured >> i & 1:
-            sequence[count] = i
+            tour.sequence[count] = i
             count += 1
-            time = _insert_last(paths, pursuit, sequence[:count], times, trial[:count])
+            time = _insert_last(paths, pursuit, count, tour)
     return time
 
 
 @compiled
-def _insert_last(
-    paths: Floats, pursuit: Pursuit, sequence: Ints, times: Floats, trial: Ints
-) -> float:
-    """Move the last of a sequence to where the last capture is earliest; return that time."""
-    count, best, least = len(sequence), len(sequence) - 1, math.inf
+def _insert_last(paths: Floats, pursuit: Pursuit, count: int, tour: Tour) -> float:
+    """Move the last of `count` evaders to where the last capture is earliest; return that time."""
+    sequence, trial = tour.sequence[:count], tour.trial[:count]
+    best, least = count - 1, math.inf
     for slot in range(count):
         _move(sequence, count - 1, 1, slot, False, trial)
-        time = _last_capture(paths, pursuit, slot, trial, times, least)
+        time = _last_capture(paths, pursuit, slot, trial, tour.times, least)
         if time < least:
             best, least = slot, time
     _move(sequence, count - 1, 1, best, False, trial)
     for k in range(count):
         sequence[k] = trial[k]
-    return retime(paths, pursuit, best, sequence, times)
+    return retime(paths, pursuit, best, sequence, tour.times)
 
 
 @compiled
-def improve(paths: Floats, pursuit: Pursuit, sequence: Ints, times: Floats, trial: Ints) -> float:
-    """Move and reverse stretches of a sequence until none is better; return the last time.
-
-    Parameters
-    ----------
-    paths
-        (n, PATH).
-    pursuit
-        The pursuer.
-    sequence, times
-        (n,) the sequence and its capture times; modified in place.
-    trial
-        (n,) scratch.
-    """
-    n = len(sequence)
-    least, before = retime(paths, pursuit, 0, sequence, times), math.inf
+def improve(paths: Floats, pursuit: Pursuit, tour: Tour) -> float:
+    """Move and reverse stretches of a tour until none is better; return the last time."""
+    n = len(tour.sequence)
+    least, before = retime(paths, pursuit, 0, tour.sequence, tour.times), math.inf
     while least < before:
         before = least
         for size in range(1, n + 1):
             for begin in range(n - size + 1):
-                least = _improve_stretch(paths, pursuit, begin, size, sequence, times, trial, least)
+                least = _improve_stretch(paths, pursuit, begin, size, least, tour)
     return least
 
 
 @inlined
 def _improve_stretch(
-    paths: Floats,
-    pursuit: Pursuit,
-    begin: int,
-    size: int,
-    sequence: Ints,
-    times: Floats,
-    trial: Ints,
-    least: float,
+    paths: Floats, pursuit: Pursuit, begin: int, size: int, least: float, tour: Tour
 ) -> float:
     """Move a stretch wherever it makes the last capture earlier; return that time."""
-    n = len(sequence)
+    sequence, trial = tour.sequence, tour.trial
     first, last = begin, begin + 1
     if size <= _LONGEST_MOVED:
-        first, last = 0, n - size + 1
+        first, last = 0, len(sequence) - size + 1
     for slot in range(first, last):
         for backwards in range(slot == begin, 1 + (size > 1)):
             _move(sequence, begin, size, slot, backwards > 0, trial)
             bound = least * (1.0 - _ROUNDING)
             start = min(begin, slot)
-            if _last_capture(paths, pursuit, start, trial, times, bound) < bound:
-                for k in range(n):
+            if _last_capture(paths, pursuit, start, trial, tour.times, bound) < bound:
+                for k in range(len(sequence)):
                     sequence[k] = trial[k]
-                least = retime(paths, pursuit, start, sequence, times)
+                least = retime(paths, pursuit, start, sequence, tour.times)
     return least
 
 
@@ -137,25 +106,6 @@ def _move(sequence: Ints, begin: int, size: int, slot: int, backwards: bool, tri
         trial[k] = sequence[source]
 
 
-@inlined
-def _next_capture(paths: Floats, pursuit: Pursuit, last: int, time: float, i: int) -> float:
-    """Return when i is captured after `last` was captured at `time`; as the first if that is -1."""
-    disk = disk_after(paths, last, time, pursuit) if last >= 0 else initial_disk(pursuit)
-    return earliest_capture(paths, i, disk)
-
-
-@compiled
-def retime(paths: Floats, pursuit: Pursuit, begin: int, sequence: Ints, times: Floats) -> float:
-    """Write the times of a sequence from its slot `begin` on; return the last time."""
-    last, time = -1, 0.0
-    if begin > 0:
-        last, time = sequence[begin - 1], times[begin - 1]
-    for k in range(begin, len(sequence)):
-        time = _next_capture(paths, pursuit, last, time, sequence[k])
-        last, times[k] = sequence[k], time
-    return time
-
-
 @compiled
 def _last_capture(
     paths: Floats, pursuit: Pursuit, begin: int, sequence: Ints, times: Floats, bound: float
@@ -167,6 +117,6 @@ def _last_capture(
     for k in range(begin, len(sequence)):
         if time >= bound:
             break
-        time = _next_capture(paths, pursuit, last, time, sequence[k])
+        time = next_capture(paths, pursuit, last, time, sequence[k])
         last = sequence[k]
     return time

@@ -17,7 +17,7 @@ from covey.kernels.capture.path import START_X, START_Y, TURN_END, VELOCITY_X, V
 from covey.kernels.capture.pursuit import GrowingDisk, Pursuit, disk_after
 from covey.kernels.capture.straight_legs import captures_on_lines
 from covey.kernels.minimum.large.neighbours import FORBIDDEN
-from covey.kernels.minimum.large.scratch import STATES, UPPER, LargeScratch, slot_of
+from covey.kernels.minimum.large.scratch import STATES, UPPER, LargeScratch, State, slot_of
 
 _ROUNDING = 1e-14
 
@@ -60,7 +60,7 @@ def least_walk(
                     time < scratch.known[UPPER]
                 ):
                     scratch.known[STATES] += 1.0
-                    _extend(paths, pursuit, weight - q, i, memory, bits, begin, scratch)
+                    _extend(paths, pursuit, State(i, memory, begin, weight - q), bits, scratch)
     least, end = math.inf, -1
     begin = slot_of(n, size, weight, 0)
     for state in range(n * size):
@@ -96,29 +96,19 @@ def is_undominated(memory: int, time: float, sign: float, bits: int, least: Floa
 
 @inlined
 def _extend(
-    paths: Floats,
-    pursuit: Pursuit,
-    left: int,
-    i: int,
-    memory: int,
-    bits: int,
-    begin: int,
-    scratch: LargeScratch,
+    paths: Floats, pursuit: Pursuit, state: State, bits: int, scratch: LargeScratch
 ) -> None:
     """Extend a state by each capture that its memory and the weight that is left allow."""
     n, size, arrivals = len(paths), 1 << bits, scratch.arrivals
-    values, steps, transitions = (
-        scratch.values,
-        scratch.steps,
-        scratch.transitions,
-    )
+    values, steps, transitions = scratch.values, scratch.steps, scratch.transitions
+    i, memory, begin, left = state
     disk = disk_after(paths, i, values[begin + memory], pursuit)
     captures_on_lines(scratch.lines, disk, arrivals[: padded(n)])
     for j in range(n):
         after = transitions[(i * n + j) * size + memory]
         if after == FORBIDDEN or scratch.weights[j] > left:
             continue
-        # The state's own weight is in `begin`.
+        # The state's own weight is in its first slot.
         slot = begin + slot_of(n, size, scratch.weights[j], j - i) + after
         arrival = arrivals[j]
         if arrival < paths[j, TURN_END]:
