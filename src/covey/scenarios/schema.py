@@ -20,6 +20,7 @@ from covey.kernels.arrays import MOST_IN_GAMES
 from covey.model.team import DEFAULT_TURN_RATE
 from covey.scenarios.about import ANGLE, LENGTH, SPEED, TIME, TURN_RATE, About
 from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Named
+from covey.scenarios.value_types import Section, one_of
 from covey.scenarios.values import (
     AWAY,
     Duration,
@@ -29,10 +30,8 @@ from covey.scenarios.values import (
     Positive,
     Radius,
     Rate,
-    Section,
     UnitName,
     Whole,
-    one_of,
 )
 from covey.simulation.settings import SENSING
 

@@ -19,20 +19,16 @@ from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, cor
 from covey.model import objectives
 from covey.players import names
 from covey.scenarios.about import TIME, About
+from covey.scenarios.value_types import UNKNOWN_NAME, Section, one_of, one_of_words, wanted
 from covey.scenarios.values import (
-    UNKNOWN_NAME,
     AtLeastOne,
     Margin,
     NotNegative,
     Offset,
-    Section,
     Sequence,
     Sequences,
     Weights,
     Whole,
-    one_of,
-    one_of_words,
-    wanted,
 )
 
 

@@ -9,22 +9,21 @@ from pydantic import Field, ValidationError, create_model
 
 from covey.scenarios.about import LENGTH, SPEED, TIME, TURN_RATE, About
 from covey.scenarios.mistakes import Mistake, mistakes_of
+from covey.scenarios.one_or_many import OneOrMany
 from covey.scenarios.samplers import HEADINGS, SHAPES, Disk, Formation, Square
 from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Entry, Named
+from covey.scenarios.value_types import Section, one_of
 from covey.scenarios.values import (
     AtLeastOne,
     FileName,
     Flag,
     Margin,
     NotNegative,
-    OneOrMany,
     Positive,
     Radius,
     Rate,
-    Section,
     TeamSize,
     Whole,
-    one_of,
 )
 from covey.simulation.settings import SENSING
 from covey.studies.design.as_visible import VISIBLE_PURSUERS, AsVisible

@@ -1,6 +1,6 @@
 """Plant each bug of `bugs` in a copy of the checkout, and see whether the tests catch it.
 
-    python mutants/run.py [--room] [WORD ...]
+    python -m mutants [--room] [WORD ...]
 
 Only the bugs whose name or room is one of the words are planted; without words, all. The tests
 beside the code run first, then those of its room, then the rest, until one fails; with --room, the
@@ -21,7 +21,8 @@ import tempfile
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
-from bugs import BUGS, Bug
+from mutants.bug import Bug
+from mutants.bugs import BUGS
 
 ROOT = Path(__file__).resolve().parents[1]
 
