@@ -49,7 +49,7 @@ class Entry:
         return create_model(name, __base__=Section, **{"name": (Literal[name], ...), **keys})
 
 
-_PARAMETERS: Mapping[str, Any] = {
+PARAMETERS: Mapping[str, Any] = {
     "starts": Annotated[AtLeastOne, About("Starts of the search for the first plan.", 32)],
     "restarts": Annotated[Whole, About("Starts of a later search, beside the plan flown.", 8)],
     "depth": Annotated[Whole, About("How many captures are answered; by default all.", 1)],
@@ -83,7 +83,7 @@ _PARAMETERS: Mapping[str, Any] = {
 
 def _entries(known: Mapping[str, Callable[..., Any]]) -> dict[str, Entry]:
     return {
-        name: Entry(make, {key: _PARAMETERS[key] for key in signature(make).parameters})
+        name: Entry(make, {key: PARAMETERS[key] for key in signature(make).parameters})
         for name, make in known.items()
     }
 

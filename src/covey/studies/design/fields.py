@@ -11,13 +11,12 @@ from covey.scenarios.about import LENGTH, SPEED, TIME, TURN_RATE, About
 from covey.scenarios.mistakes import Mistake, mistakes_of
 from covey.scenarios.one_or_many import OneOrMany
 from covey.scenarios.samplers import HEADINGS, SHAPES, Disk, Formation, Square
-from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Entry, Named
+from covey.scenarios.strategies import EVADERS, OBJECTIVES, PARAMETERS, PURSUERS, Entry, Named
 from covey.scenarios.value_types import Section, one_of
 from covey.scenarios.values import (
     AtLeastOne,
     FileName,
     Flag,
-    Margin,
     NotNegative,
     Positive,
     Radius,
@@ -40,9 +39,6 @@ _DISTANCE = Annotated[
     NotNegative, About("Distance of the formation from the pursuer.", 0.5, LENGTH)
 ]
 _PATH = Annotated[FileName, About("Table of starts, as CSV or Parquet.", "starts.csv")]
-_MARGIN = Annotated[
-    Margin, About("By which share another sequence must be better to be taken.", 0.05)
-]
 
 SAMPLERS = {
     "square": Entry(Square, {"side": _SIDE, "headings": _HEADINGS}),
@@ -55,7 +51,7 @@ _VISIBLE_PURSUER = Annotated[
 ]
 STUDY_PURSUERS = {
     **PURSUERS,
-    "as-visible": Entry(AsVisible, {"margin": _MARGIN, "pursuer": _VISIBLE_PURSUER}),
+    "as-visible": Entry(AsVisible, {"margin": PARAMETERS["margin"], "pursuer": _VISIBLE_PURSUER}),
 }
 
 _TYPES: dict[str, Any] = {
