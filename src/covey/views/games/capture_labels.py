@@ -21,6 +21,11 @@ class Captures(NamedTuple):
     times: Floats  # (C,)
 
 
+def number_and_time(evader: int, time: str) -> str:
+    """Write who is captured, and the time with its unit: **3**: t = 12.5 s."""
+    return rf"$\mathbf{{{evader}}}$: $t$ = {time}"
+
+
 def label_captures(
     axes: Axes,
     inset: Axes | None,
@@ -35,7 +40,7 @@ def label_captures(
     """
     points, evaders, times = captures
     texts = [
-        rf"$\mathbf{{{i}}}$: $t$ = {write(time)}"
+        number_and_time(i, write(time))
         for i, time in zip(evaders.tolist(), times.tolist(), strict=True)
     ]
     numbers = [str(i) for i in range(len(team))]
