@@ -164,7 +164,8 @@ struct covey_ascend_tree_words {
     double *scratch_model_quadratic_combined; int64_t scratch_model_quadratic_combined_0; /* (n,) sum of multipliers times whitened */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -350,7 +351,8 @@ struct covey_commit_words {
     int64_t commitment_is_chosen; /* False: it begins with the best sequence, and `sequence` holds nothing */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -570,7 +572,8 @@ struct covey_fly_pursuers_words {
     double *memories_objective_draws_probabilities; int64_t memories_objective_draws_probabilities_0; /* (K,) */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -613,7 +616,8 @@ struct covey_fly_teams_words {
     int64_t *pursuers_chosen; int64_t pursuers_chosen_0; /* (B,) 0 where a pursuer has no sequence yet */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -653,7 +657,8 @@ struct covey_guaranteed_value_words {
     int64_t total;
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -750,7 +755,8 @@ struct covey_mean_over_draws_words {
     double *turns; int64_t turns_0;
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -802,7 +808,8 @@ struct covey_minimum_over_sequences_words {
     int64_t *sequence; int64_t sequence_0;
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -942,7 +949,8 @@ struct covey_multistart_words {
     double *iterate_working_set_values; int64_t iterate_working_set_values_0; /* (m,) objective of each sequence where the last ascent ended */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -1112,7 +1120,8 @@ struct covey_play_words {
     int64_t *log_intended; int64_t log_intended_0, log_intended_1; /* (T, N) */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -1191,7 +1200,8 @@ struct covey_play_to_capture_words {
     double delay;
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -1293,7 +1303,8 @@ struct covey_refine_words {
     double *iterate_working_set_values; int64_t iterate_working_set_values_0; /* (m,) objective of each sequence where the last ascent ended */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -1371,7 +1382,8 @@ struct covey_replan_words {
     double *turns; int64_t turns_0;
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -1485,7 +1497,8 @@ struct covey_survives_delays_words {
     int64_t *search_counters; int64_t search_counters_0; /* (3,) nodes visited; the most that may be; captures put off in that play */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -1550,7 +1563,8 @@ struct covey_tree_value_words {
     int64_t *levels_sequence; int64_t levels_sequence_0; /* (n,) evaders captured so far */
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */
@@ -1603,7 +1617,8 @@ struct covey_write_row_words {
     int64_t *intended; int64_t intended_0;
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
-    int64_t workspace_largest_table; /* evaders up to which the minimum keeps a table of all sets */
+    int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */
+    int64_t workspace_largest_table; /* evaders up to which the minimum may keep a table of all sets */
     int64_t *workspace_carved; int64_t workspace_carved_0; /* (7,) how much of each of the following is in use */
     double *workspace_floats; int64_t workspace_floats_0; /* (.,) */
     double *workspace_rows; int64_t workspace_rows_0, workspace_rows_1; /* (., n) */

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import math
+import functools
 
 import numpy as np
 import pytest
 
 import covey
-from covey.kernels.maximum.problem import Iterate, Problem
-from covey.kernels.maximum.working_set import new_working_set
-from covey.planning.compiled_objective import compiled_objective
-from covey.planning.confirm import confirmed
-from covey.planning.guarantee import about_center, pursuit_of, worst_sequence
-from covey.planning.multistart import Search
-from random_games import random_game
+from covey.kernels.arrays import new_workspace
+from covey.planning import workspace as workspaces
+from random_games import random_game, random_turns
 
 
 @pytest.mark.parametrize("count", [19, 24, 50])
@@ -25,24 +21,57 @@ def test_a_plan_within_a_second_is_worth_what_it_says(count):
     assert 0.0 < plan.survival_time <= found.upper * (1.0 + 1e-12)
 
 
-def test_a_sequence_that_refutes_a_plan_makes_it_ascend_again():
-    team, disk = about_center(*random_game(np.random.default_rng(0), 6))
-    problem = Problem(team.as_rows(), pursuit_of(disk), compiled_objective(covey.LastCapture(), 6))
-    search = Search(problem, 1e-9, np.empty((0, 6)), math.inf)
-    best = search.refine(Iterate(np.full(6, 0.5), new_working_set(6)))
-    best.iterate.working_set.used[0] = 1
-    claimed = best._replace(value=1.1 * best.value)
+@pytest.fixture
+def without_tables(monkeypatch):
+    """Plans of four evaders and more are those of large teams, and the minimum keeps no table."""
 
-    def guarantee_of(turns):
-        return worst_sequence(team, disk, turns, total=False)
+    def replace_workspaces(largest_table=3):
+        walking = functools.partial(new_workspace, fewest_walking=4, largest_table=largest_table)
+        monkeypatch.setattr(workspaces, "new_workspace", walking)
+        workspaces._kept.__dict__.clear()
 
-    before = guarantee_of(best.iterate.turns).time
-    proven, guarantee = confirmed(search, claimed, guarantee_of, math.inf)
-    assert proven.value == pytest.approx(guarantee.upper, rel=1e-9)
-    assert guarantee == guarantee_of(proven.iterate.turns)
-    assert guarantee.time >= before
-    assert proven.steps >= claimed.steps
-    assert proven.starts == claimed.starts
+    yield replace_workspaces
+    workspaces._kept.__dict__.clear()
+
+
+@pytest.mark.parametrize("largest_table", [3, 20])
+@pytest.mark.parametrize("count", [6, 12])
+def test_a_plan_of_a_large_team_is_worth_what_a_table_says(without_tables, count, largest_table):
+    team, disk = random_game(np.random.default_rng(count), count)
+    without_tables(largest_table)
+    found = covey.plan(team, disk, starts=4)
+    workspaces.new_workspace = new_workspace
+    workspaces._kept.__dict__.clear()
+    worst = covey.guaranteed_survival(team, disk, found.turns)
+    assert found.survival_time == pytest.approx(worst.time, rel=1e-12)
+    assert found.survival_time > 0.9 * covey.plan(team, disk, starts=4).survival_time
+
+
+def test_a_maximum_by_tables_is_a_maximum_without(without_tables):
+    team, disk = random_game(np.random.default_rng(4), 12)
+    expected = covey.plan(team, disk, starts=4)
+    without_tables()
+    found = covey.plan(team, disk, starts=1, warm_start=expected)
+    assert found.survival_time == pytest.approx(expected.survival_time, rel=1e-9)
+
+
+def test_a_warm_start_of_a_large_team_never_guarantees_less(without_tables):
+    generator = np.random.default_rng(5)
+    without_tables()
+    for _ in range(10):
+        team, disk = random_game(generator, 7)
+        turns = random_turns(generator, 7)
+        before = covey.guaranteed_survival(team, disk, turns).time
+        after = covey.plan(team, disk, starts=1, warm_start=turns).survival_time
+        assert after >= before * (1.0 - 1e-12)
+
+
+def test_a_game_of_eighteen_lasts_as_long_as_the_first_plan_promises():
+    team, disk = random_game(np.random.default_rng(6), 18)
+    strategy = covey.IterativeOpenLoop(starts=1, restarts=0, replan_time=0.2)
+    game = covey.simulate(team, disk, evaders=strategy, update_time=0.1)
+    promised = covey.plan(team, disk, starts=1).survival_time
+    assert game.survival_time >= promised * (1.0 - 1e-9)
 
 
 def test_a_guarantee_says_whether_it_is_exact():

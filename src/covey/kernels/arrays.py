@@ -38,8 +38,11 @@ MOST_EVADERS = 50
 MOST_IN_GAMES = 20
 """Largest team in a game, which plans without a time limit: every inner minimum is exact."""
 
-LARGEST_TABLE = 17
-"""Evaders up to which the minimum over all sequences keeps a table of all sets."""
+LARGEST_TABLE = 20
+"""Evaders up to which the minimum over all sequences may keep a table of all sets."""
+
+FEWEST_WALKING = 18
+"""Evaders from which on walks come before the table, see `minimum.large`."""
 
 MOST_NEIGHBOURS = 8
 """Evaders that a walk of a larger team remembers at most, see `minimum.large`."""
@@ -47,9 +50,9 @@ MOST_NEIGHBOURS = 8
 MOST_WEIGHT = 6
 """Largest weight of the visits of an evader, in the mean over the team."""
 
-STAGES, STAGES_OF_GUARANTEE = 2, 6
-"""Stages after which the minimum for more than 20 evaders is given up: in a search, and for a
-guarantee, see `minimum.large`."""
+STAGES_BEFORE_TABLE, STAGES, STAGES_OF_GUARANTEE = 1, 2, 6
+"""Stages after which walks are given up: where a table can follow, and for larger teams in a search
+and for a guarantee, see `minimum.large`."""
 
 LABELS = 1 << 23
 """Labels that the minimum for a large team keeps at most."""
@@ -83,7 +86,8 @@ class Workspace(NamedTuple):
 
     size: int  # n: evaders that the scratch has room for
     total: bool  # whether there is room for minima of sums, too
-    largest_table: int  # evaders up to which the minimum keeps a table of all sets
+    fewest_walking: int  # evaders from which on the minimum begins with walks
+    largest_table: int  # evaders up to which the minimum may keep a table of all sets
     carved: IntVector  # (7,) how much of each of the following is in use
     floats: Vector  # (.,)
     rows: Matrix  # (., n)
@@ -104,7 +108,12 @@ GO_ON, FINISH, ABANDON = range(3)
 FLOATS, ROWS, WIDE_ROWS, PATH_ROWS, PADDED_ROWS, INTS, INT_ROWS = range(7)
 
 
-def new_workspace(size: int, total: bool = False, largest_table: int = LARGEST_TABLE) -> Workspace:
+def new_workspace(
+    size: int,
+    total: bool = False,
+    fewest_walking: int = FEWEST_WALKING,
+    largest_table: int = LARGEST_TABLE,
+) -> Workspace:
     """Allocate a workspace for teams of up to `size` evaders."""
     table = min(size, largest_table)
     sets = 1 << table
@@ -112,6 +121,7 @@ def new_workspace(size: int, total: bool = False, largest_table: int = LARGEST_T
     return Workspace(
         size,
         total,
+        fewest_walking,
         largest_table,
         np.zeros(7, np.int64),
         _aligned(1, states * (3 if total else 1) + 64 * (size + 8))[0],
@@ -122,7 +132,7 @@ def new_workspace(size: int, total: bool = False, largest_table: int = LARGEST_T
         np.zeros(sets + (states if total else 0) + 24 * (size + 8), np.int64),
         np.zeros((4 * size + 8, size), np.int64),
         np.zeros(sets, np.int32),
-        _walk_memory(size if size > largest_table else 0),
+        _walk_memory(size if size >= fewest_walking else 0),
         np.zeros(1, np.int64),
     )
 
@@ -131,13 +141,18 @@ def _walk_memory(size: int) -> WalkMemory:
     """Allocate memory for large teams. The system hands out pages where they are first used."""
     states, labels = walk_states(size), LABELS if size > 0 else 0
     ints = np.empty(labels + 32 * (size + 8), np.int64)
-    ints[SOLVED], ints[STAGES_GIVEN] = 0, STAGES
+    ints[SOLVED], ints[STAGES_GIVEN] = 0, stages_of_search(size)
     return WalkMemory(
         np.empty(states + labels + (1 << MOST_NEIGHBOURS) + 16 * (size + 8)),
         ints,
         np.empty(states + (size * size << MOST_NEIGHBOURS) + 3 * labels, np.int32),
         np.empty((size, MOST_NEIGHBOURS + 1), np.int64),
     )
+
+
+def stages_of_search(size: int) -> int:
+    """Return after how many stages walks are given up in a search."""
+    return STAGES_BEFORE_TABLE if size <= LARGEST_TABLE else STAGES
 
 
 @inlined

@@ -219,7 +219,8 @@ def guaranteed_survival(
     -----
     The two inner minima of eq. (6), by dynamic programming over subsets (Held and Karp, 1962)
     instead of N! sequences; memory 16 N 2^N bytes. From eighteen evaders on only those subsets are
-    kept that bounds from a relaxation don't rule out, docs/decisions/0016; memory up to 310 MB. For
+    kept that bounds from a relaxation don't rule out, docs/decisions/0016; up to 20 evaders all
+    subsets follow where these bounds are too weak. Memory up to 310 MB, for 20 up to 660 MB. For
     the sum a state needs pairs of the time and the sum so far, docs/decisions/0009; memory
     40 N 2^N bytes.
 

@@ -14,7 +14,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from covey.kernels.arrays import ABANDON, FINISH, GO_ON, LARGEST_TABLE, Workspace
+from covey.kernels.arrays import ABANDON, FEWEST_WALKING, FINISH, GO_ON, Workspace
 from covey.kernels.maximum.objective import Objective
 from covey.model.validation import Ints
 from covey.planning.workspace import workspace
@@ -41,7 +41,7 @@ def interceptions_of_minimum(n: int, total: bool) -> float:
     """Return the same of a minimum of the last capture or, with `total`, of the sum."""
     if total:
         return _SUM * n * 2.0**n
-    return n * 2.0 ** (n if n <= LARGEST_TABLE else LARGEST_TABLE + (n - LARGEST_TABLE) / 4)
+    return n * 2.0 ** (n if n <= FEWEST_WALKING else FEWEST_WALKING + (n - FEWEST_WALKING) / 4)
 
 
 def interruptible(

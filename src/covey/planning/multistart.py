@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels.arrays import GO_ON, Workspace
+from covey.kernels.arrays import FEWEST_WALKING, GO_ON, Workspace
 from covey.kernels.maximum.initial_guesses import BATCH, Guesses, insert, new_elite
 from covey.kernels.maximum.multistart import (
     RADIUS_RANDOM,
@@ -36,6 +36,8 @@ MAX_STEPS = 200
 """Steps of an ascent: it rarely takes more than 50."""
 ASCENT_VALUES = 30
 """Values of the objective that an ascent computes, about."""
+ROUGH_TOLERANCE = 1e-3
+"""Tolerance of the ascents from guesses of a large team; only the best plan is made exact."""
 PARALLEL = 9
 """From this many evaders on, ascents run in parallel: each takes milliseconds."""
 
@@ -91,6 +93,9 @@ class Search:
         self._size, self._total = len(problem.evaders), problem.objective.total
         self._work = ASCENT_VALUES * interceptions_of(problem.objective, self._size)
         self._elite = new_elite(self._size)
+        self.is_rough = self._size >= FEWEST_WALKING and not (
+            self._total or problem.objective.expected
+        )
 
     @property
     def elite(self) -> list[Floats]:
@@ -141,7 +146,8 @@ class Search:
         """Ascend from `count` guesses, from guess number `first` on, in this thread."""
         iterate = Iterate(np.zeros(self._size), new_working_set(self._size))
         guesses = Guesses(self._uniforms, self._elite, first, count)
-        options = Options(RADIUS_RANDOM, self._tolerance, MAX_STEPS)
+        tolerance = max(self._tolerance, ROUGH_TOLERANCE) if self.is_rough else self._tolerance
+        options = Options(RADIUS_RANDOM, tolerance, MAX_STEPS)
         scratch = workspace(self._size, self._total, stop)
         found = multistart(self._problem, guesses, options, -math.inf, iterate, scratch)
         return _ascents(found, iterate, count)

@@ -25,9 +25,7 @@ from covey.model.validation import (
     whole_number,
 )
 from covey.planning.compiled_objective import checked_objective, compiled_objective
-from covey.planning.confirm import confirmed
 from covey.planning.guarantee import (
-    Guarantee,
     about_center,
     check_game,
     deadline_after,
@@ -102,8 +100,9 @@ def plan(
     dynamic programme over subsets finds the sequence that is missing (constraint generation). For
     the sum the states of the programme carry pairs (docs/decisions/0009). An expectation needs no
     search for the worst sequence, and its ascents are Newton's method. The programme takes
-    16 N 2^N bytes for each of up to four cores, from eighteen evaders on up to 310 MB; for the sum
-    40 N 2^N.
+    16 N 2^N bytes for each of up to four cores, from eighteen evaders on up to 310 MB more; for the
+    sum 40 N 2^N. From eighteen evaders on an ascent knows the sequences that moves find, and the
+    programme says between ascents what the turns guarantee (docs/decisions/0016).
 
     Examples
     --------
@@ -138,18 +137,13 @@ def plan(
     best = _best_of(search, warm, guesses)
 
     # What the search found is computed again from the turns alone.
-    def guarantee_of(turns: Floats) -> Guarantee:
-        return worst_sequence(centered, about, turns, False, deadline)
-
-    if isinstance(objective, LastCapture) and n > LARGEST_TABLE:
-        best, guarantee = confirmed(search, best, guarantee_of, deadline)
-    else:
-        guarantee = guarantee_of(best.iterate.turns)
+    guarantee = worst_sequence(centered, about, best.iterate.turns, False, deadline)
     if isinstance(objective, ExpectedSurvival):
         critical = _drawn(problem.objective.draws)
     else:
         critical = _critical(best)
-    return _plan_of(team, disk, objective, best, critical, guarantee.time)
+    proven = max(guarantee.time, best.value) if search.is_rough else guarantee.time
+    return _plan_of(team, disk, objective, best, critical, proven)
 
 
 def _search_until(deadline: float, n: int) -> float:
@@ -164,6 +158,9 @@ def _best_of(search: Search, warm: Iterate | None, guesses: int) -> Ascents:
     best = NONE if warm is None else search.refine(warm)
     if guesses > 0:
         best = search.run(best, guesses)
+    if search.is_rough and best.in_time:
+        exact = search.refine(best.iterate)
+        best = exact._replace(starts=0).joined(best)
     return best
 
 
@@ -172,10 +169,12 @@ def default_starts(n: int) -> int:
 
     Measured, docs/decisions/0008 and benchmarks/quality.py: the plan is then within 1e-3 of the
     best that 500 starts find in all games of three evaders, 99 of 100 of five and 92 of 100 of
-    eight. From thirteen evaders on it is what seconds allow, from twenty-one on what minutes allow.
+    eight. From thirteen evaders on it is what seconds allow, from thirty-one on what minutes allow.
     """
     if n > 20:
-        return 4 if n <= 30 else 1
+        return 2 if n <= 30 else 1
+    if n > 17:
+        return 4
     if n > 12:
         return 24
     return 56 if n in (4, 5) else 100
@@ -261,11 +260,14 @@ def _critical(best: Ascents) -> Weighted:
     """Return the sequences that attain the value, the worst first, with their multipliers."""
     working_set = best.iterate.working_set
     count = int(working_set.used[0])
-    rows = zip(
-        working_set.values[:count].tolist(),
-        map(tuple, working_set.sequences[:count].tolist()),
-        working_set.weights[:count].tolist(),
-        strict=True,
+    rows = sorted(
+        zip(
+            working_set.values[:count].tolist(),
+            map(tuple, working_set.sequences[:count].tolist()),
+            working_set.weights[:count].tolist(),
+            strict=True,
+        )
     )
-    latest = best.value * (1.0 + CRITICAL_WITHIN)
-    return [(sequence, weight) for each, sequence, weight in sorted(rows) if each <= latest]
+    least = rows[0][0] if rows else best.value  # the value of a large team is a lower bound
+    latest = max(best.value, least) * (1.0 + CRITICAL_WITHIN)
+    return [(sequence, weight) for each, sequence, weight in rows if each <= latest]

@@ -8,12 +8,12 @@ from __future__ import annotations
 import threading
 
 from covey.kernels.arrays import (
-    LARGEST_TABLE,
+    FEWEST_WALKING,
     SOLVED,
-    STAGES,
     STAGES_GIVEN,
     Workspace,
     new_workspace,
+    stages_of_search,
 )
 from covey.kernels.contingent.scratch import TreeScratch, new_tree_scratch
 from covey.kernels.minimum.total_time import MOST_FOR_SUMS
@@ -24,8 +24,8 @@ SMALL = 14
 """Evaders up to which the workspaces of all sizes are kept: 6 MB, 16 MB with room for sums."""
 
 LARGEST_KEPT = 18
-"""Evaders up to which the last workspace with room for sums is kept: 210 MB. Without it is at most
-90 MB for a table, 310 MB for a large team."""
+"""Evaders up to which the last workspace with room for sums is kept: 210 MB. Without this room a
+workspace takes at most 340 MB for a table and 310 MB for a large team, where they are used."""
 
 _MOST_TREES = 16  # shapes of trees, of which the scratch is kept
 
@@ -59,9 +59,9 @@ def workspace(size: int, total: bool = False, stop: Ints | None = None) -> Works
         for large in [key for key in kept if min(key[0], size) > SMALL]:
             del kept[large]
         kept[size, total] = new_workspace(size, total)
-    if size > LARGEST_TABLE:  # results don't depend on the call before
+    if size >= FEWEST_WALKING:  # results don't depend on the call before
         ints = kept[size, total].walks.ints
-        ints[SOLVED], ints[STAGES_GIVEN] = 0, STAGES
+        ints[SOLVED], ints[STAGES_GIVEN] = 0, stages_of_search(size)
     return kept[size, total]
 
 

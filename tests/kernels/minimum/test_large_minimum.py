@@ -13,7 +13,6 @@ from covey.kernels.arrays import FINISH, SOLVED, STAGES_GIVEN, new_workspace
 from covey.kernels.capture.sequence import capture_times
 from covey.kernels.maximum.values import minimum_over_sequences
 from covey.kernels.minimum.large.scratch import LOWER
-from covey.planning import workspace as workspaces
 from covey.planning.guarantee import about_center, paths_of, pursuit_of
 from random_games import random_game, random_turns
 
@@ -21,7 +20,7 @@ from random_games import random_game, random_turns
 @functools.cache
 def walking(size):
     """A workspace whose minimum keeps a table up to three evaders only."""
-    return new_workspace(size, largest_table=3)
+    return new_workspace(size, fewest_walking=4, largest_table=3)
 
 
 def bounds_without_table(team, disk, turns, *, stages=12, warm=False, stop=0):
@@ -136,18 +135,6 @@ def test_no_sequence_refutes_a_guarantee_of_thirty():
     for a, b, c in np.sort(generator.integers(0, 31, (20_000, 3)), axis=1):
         moved_stretch = np.concatenate([worst[:a], worst[b:c], worst[a:b], worst[c:]])
         assert capture_times(paths, pursuit, moved_stretch, times) >= least
-
-
-def test_a_plan_is_the_same_without_a_table(monkeypatch):
-    team, disk = random_game(np.random.default_rng(4), 12)
-    expected = covey.plan(team, disk, starts=4)
-    without_table = functools.partial(new_workspace, largest_table=3)
-    monkeypatch.setattr(workspaces, "new_workspace", without_table)
-    workspaces._kept.__dict__.clear()
-    found = covey.plan(team, disk, starts=4)
-    workspaces._kept.__dict__.clear()
-    assert found.survival_time == pytest.approx(expected.survival_time, rel=1e-9)
-    assert found.interceptions != expected.interceptions
 
 
 def test_a_sum_for_more_than_twenty_is_refused():

@@ -9,11 +9,13 @@ from covey.kernels.arrays import Floats
 from covey.kernels.capture.path import set_paths
 from covey.kernels.capture.sequence import objective_value
 from covey.kernels.maximum.expected_value import maximise_expected
+from covey.kernels.maximum.large_team import solve_large
+from covey.kernels.maximum.oracle import is_large
 from covey.kernels.maximum.problem import Iterate, Options, Problem
 from covey.kernels.maximum.sqp import solve_sqp
 from covey.kernels.maximum.trial import AscentScratch, expected_value
 from covey.kernels.minimum.greedy_sequence import greedy_sequence, nearest_first
-from covey.kernels.minimum.inner_minimum import inner_minimum
+from covey.kernels.minimum.inner_minimum import earlier_by_moves, inner_minimum
 
 
 @inlined
@@ -24,15 +26,23 @@ def maximise(
     lower_bound: float,
     scratch: AscentScratch,
 ) -> tuple[float, int]:
-    """Call `solve_sqp`, or `maximise_expected`, which has no working set and no lower bound."""
+    """Call the method that suits the objective and the team.
+
+    `maximise_expected` has no working set and no lower bound.
+    """
     if problem.objective.expected:
         return maximise_expected(problem, iterate.turns, options, scratch)
+    if is_large(problem, scratch):
+        return solve_large(problem, iterate, options, lower_bound, scratch)
     return solve_sqp(problem, iterate, options, lower_bound, scratch)
 
 
 @compiled
 def exact_value(problem: Problem, turns: Floats, cutoff: float, scratch: AscentScratch) -> float:
-    """Return the exact value of turns; -inf where one sequence shows that it is <= `cutoff`."""
+    """Return the exact value of turns; -inf where one sequence shows that it is <= `cutoff`.
+
+    For large teams the value is that of a sequence, an upper bound of the exact value.
+    """
     n, total, here = len(problem.evaders), problem.objective.total, scratch.here
     set_paths(problem.evaders, turns, problem.pursuit.speed, here.paths)
     if problem.objective.expected:
@@ -45,5 +55,7 @@ def exact_value(problem: Problem, turns: Floats, cutoff: float, scratch: AscentS
     bound = objective_value(times, total)
     if bound <= cutoff:
         return -math.inf
+    if is_large(problem, scratch):
+        return earlier_by_moves(paths, problem.pursuit, sequence, bound, sequence, scratch.inner)
     value, _ = inner_minimum(paths, problem.pursuit, total, bound, sequence, scratch.inner)
     return value

@@ -18,6 +18,7 @@ from covey.kernels.maximum.local_model import (
     build_model,
     power_of_two_scale,
 )
+from covey.kernels.maximum.oracle import make_exact
 from covey.kernels.maximum.problem import (
     CONVERGED,
     STALLED,
@@ -27,7 +28,7 @@ from covey.kernels.maximum.problem import (
     Options,
     Problem,
 )
-from covey.kernels.maximum.step import Model, Points, Progress, make_exact, take_step
+from covey.kernels.maximum.step import Model, Points, Progress, take_step
 from covey.kernels.maximum.trial import (
     MIN_RADIUS,
     AscentScratch,

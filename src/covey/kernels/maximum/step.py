@@ -7,16 +7,10 @@ from typing import NamedTuple
 from covey.kernels._jit import compiled, inlined
 from covey.kernels.maximum.curvature import HessianStatus
 from covey.kernels.maximum.local_model import corrected_step, linearise
-from covey.kernels.maximum.problem import (
-    INNER_SOLVES,
-    INTERCEPTIONS,
-    Iterate,
-    Options,
-    Problem,
-)
+from covey.kernels.maximum.oracle import is_large, make_exact
+from covey.kernels.maximum.problem import Iterate, Options, Problem
 from covey.kernels.maximum.trial import AscentScratch, evaluate, evaluate_sequence, try_step
-from covey.kernels.maximum.working_set import Evaluation, WorkingSet, add
-from covey.kernels.minimum.inner_minimum import inner_minimum
+from covey.kernels.maximum.working_set import Evaluation
 
 _MAX_CORRECTIONS = 3
 MIN_GAIN_RATIO = 0.8  # below, a step is corrected
@@ -33,7 +27,7 @@ class Progress(NamedTuple):
     """What is known at the iterate."""
 
     value: float  # exact, or the working set's, which is an upper bound
-    is_exact: bool
+    is_exact: bool  # by the oracle, which for large teams may miss a sequence
     lower_bound: float  # of the exact value at the first iterate; -inf: unknown
     bound_attained: bool  # the first iterate's value is the lower bound, and no step was taken
     is_reweighted: bool  # the Hessian has been weighted with the multipliers found here
@@ -93,7 +87,7 @@ def take_step(
             break
         added_value = evaluate_sequence(problem, working_set, added, here)
         linearise(problem, working_set, here, added, model.scale, scratch.model)
-        if not progress.is_exact:
+        if not progress.is_exact or is_large(problem, scratch):
             value = min(value, added_value)
         if trial > value:
             break
@@ -122,28 +116,3 @@ def _correct(
     for i in range(n):
         scratch.turns[i] = scratch.first_turns[i]
     return evaluate(problem, trial, iterate.working_set, there)
-
-
-@compiled
-def make_exact(
-    problem: Problem,
-    working_set: WorkingSet,
-    point: Evaluation,
-    bound: float,
-    scratch: AscentScratch,
-) -> tuple[float, int]:
-    """Return the inner minimum, where `bound` is the minimum over the working set.
-
-    Returns also the row of the sequence that is added because it is below the bound, or -1.
-    """
-    n, total = len(problem.evaders), problem.objective.total
-    worst, added = scratch.inner.sequence[:n], -1
-    least, interceptions = inner_minimum(
-        point.paths[:n], problem.pursuit, total, bound, worst, scratch.inner
-    )
-    if least < bound:
-        added = add(working_set, worst, point.values)
-        evaluate_sequence(problem, working_set, added, point)
-    scratch.counters[INNER_SOLVES] += 1
-    scratch.counters[INTERCEPTIONS] += interceptions
-    return least, added

@@ -32,6 +32,7 @@ class AscentScratch(NamedTuple):
     there: Evaluation  # at the trial
     turns: Floats  # (n,) of the trial
     first_turns: Floats  # (n,) of the trial before its correction
+    incumbent: Floats  # (n,) of the best ascent of a large team
     model: ModelScratch
     single: WorkingSet  # one row, which stands for a mean over drawn sequences
     counters: Ints  # (COUNTERS,) steps, inner solves, interceptions of this call
@@ -46,6 +47,7 @@ def ascent_scratch(workspace: Workspace) -> AscentScratch:
         inner_scratch(workspace),
         evaluation_scratch(workspace),
         evaluation_scratch(workspace),
+        floats(workspace, n),
         floats(workspace, n),
         floats(workspace, n),
         model_scratch(workspace),

@@ -16,8 +16,11 @@ from covey.kernels.arrays import (
     path_rows,
 )
 from covey.kernels.capture.pursuit import Pursuit
+from covey.kernels.minimum.greedy_sequence import greedy_sequence
 from covey.kernels.minimum.labels import SubsetScratch, subset_scratch
 from covey.kernels.minimum.large.minimum import large_minimum
+from covey.kernels.minimum.large.scratch import large_scratch
+from covey.kernels.minimum.large.tours import Tour, improve
 from covey.kernels.minimum.last_capture import min_last_capture
 from covey.kernels.minimum.total_time import TotalTimeScratch, min_total_time, total_time_scratch
 
@@ -25,7 +28,8 @@ from covey.kernels.minimum.total_time import TotalTimeScratch, min_total_time, t
 class InnerScratch(NamedTuple):
     """Arrays of the inner minimum."""
 
-    largest_table: int  # evaders up to which the table serves
+    fewest_walking: int  # evaders from which on walks come first
+    largest_table: int  # evaders up to which a table may follow
     last_capture: SubsetScratch
     large: WalkMemory  # for larger teams
     total_time: TotalTimeScratch  # empty where the workspace has no room for sums
@@ -40,6 +44,7 @@ def inner_scratch(workspace: Workspace) -> InnerScratch:
     begin_carving(workspace)
     n, table = workspace.size, workspace.largest_table
     return InnerScratch(
+        workspace.fewest_walking,
         table,
         subset_scratch(workspace, min(n, table)),
         workspace.walks,
@@ -61,14 +66,56 @@ def inner_minimum(
 ) -> tuple[float, int]:
     """Return the minimum of the last capture or, with `total`, of the sum, if below `bound`.
 
-    Parameters, results and what is modified are as for `min_last_capture` and `min_total_time`; for
-    large teams as for `large_minimum`, which may give up before the minimum is proven.
+    Parameters, results and what is modified are as for `min_last_capture` and `min_total_time`. For
+    large teams `large_minimum` comes first. Where it gives up before the minimum is proven, the
+    table of all sets follows, if there is one; else the result is an upper bound.
     """
     if total:
         return min_total_time(paths, pursuit, bound, sequence, scratch.total_time)
-    if len(paths) > scratch.largest_table:
-        table = scratch.last_capture
-        return large_minimum(
+    n, table, interceptions = len(paths), scratch.last_capture, 0
+    if n >= scratch.fewest_walking:
+        bound, interceptions, proven = large_minimum(
             paths, pursuit, bound, sequence, scratch.large, table.lines, table.stop
         )
-    return min_last_capture(paths, pursuit, bound, sequence, scratch.last_capture)
+        if proven or n > scratch.largest_table:
+            return bound, interceptions
+    value, more = min_last_capture(paths, pursuit, bound, sequence, table)
+    return value, interceptions + more
+
+
+@compiled
+def earlier_by_moves(
+    paths: Floats,
+    pursuit: Pursuit,
+    start: Ints,
+    bound: float,
+    sequence: Ints,
+    scratch: InnerScratch,
+) -> float:
+    """Return the last capture of a sequence of a large team that moves reach, if below `bound`.
+
+    An upper bound of the inner minimum, in a fraction of its time.
+
+    Parameters
+    ----------
+    paths, pursuit, bound
+        As for `inner_minimum`.
+    start
+        (n,) where the moves begin; (0,): at a greedy sequence.
+    sequence
+        (n,) modified in place where the sequence beats the bound.
+    scratch
+        Modified in place.
+    """
+    n = len(paths)
+    large = large_scratch(scratch.large, scratch.last_capture.lines, scratch.last_capture.stop, n)
+    tour = Tour(large.candidate[:n], large.capture_times[:n], large.trial[:n])
+    for k in range(len(start)):
+        tour.sequence[k] = start[k]
+    if len(start) == 0:
+        greedy_sequence(paths, pursuit, tour.sequence, tour.times)
+    time = improve(paths, pursuit, tour)
+    if time < bound:
+        for k in range(n):
+            sequence[k] = tour.sequence[k]
+    return min(time, bound)

@@ -34,7 +34,6 @@ from covey.kernels.minimum.large.neighbours import (
     set_transitions,
 )
 from covey.kernels.minimum.large.scratch import (
-    ALWAYS_PROVEN,
     LOWER,
     STATES,
     UPPER,
@@ -51,7 +50,6 @@ FIRST_ROUNDS = 6
 """Steps of the weights before the exact programme is tried; twice as many before it is tried again.
 """
 
-_STAGES_UNTIL_PROVEN = 12  # of teams whose minimum is always proven
 _MANY_LABELS, _MORE_LABELS, _ROUNDS_AGAIN = 2, 8, 3  # labels over the states of a least walk
 _KNOWN_LABELS, _FEWEST_LABELS = 4, 1 << 12
 _WORTH_IMPROVING = 1.1  # sequences up to so many times the best sequence are improved by moves
@@ -68,7 +66,7 @@ def large_minimum(
     memory: WalkMemory,
     lines: Floats,
     stop: Ints,
-) -> tuple[float, int]:
+) -> tuple[float, int, bool]:
     """Return the least time of a capture sequence that is found, if it is below `bound`.
 
     `memory.floats[LOWER]` is then a time that no sequence beats. Where it is the returned time, or
@@ -104,6 +102,8 @@ def large_minimum(
         The least time found, or `bound`.
     int
         How many interceptions were computed, about.
+    bool
+        Whether the result is exact.
     """
     n = len(paths)
     scratch = large_scratch(memory, lines, stop, n)
@@ -115,7 +115,8 @@ def large_minimum(
     if upper < bound:
         for k in range(n):
             sequence[k] = scratch.sequence[k]
-    return min(upper, bound), int(scratch.known[STATES]) * n
+    proven = scratch.known[LOWER] >= upper
+    return min(upper, bound), int(scratch.known[STATES]) * n, proven
 
 
 @inlined
@@ -189,14 +190,13 @@ def _solve(paths: Floats, pursuit: Pursuit, scratch: LargeScratch) -> None:
     rounds, bits = FIRST_ROUNDS, memory_bits(n, scratch.neighbours)
     most = min(bits + known, MOST_NEIGHBOURS)
     set_transitions(n, bits, scratch.neighbours, scratch.bits, scratch.transitions)
-    stages = kept[STAGES_GIVEN] if n > ALWAYS_PROVEN else _STAGES_UNTIL_PROVEN
-    for _ in range(stages):
+    for _ in range(kept[STAGES_GIVEN]):
         if _walk_rounds(paths, pursuit, rounds, most, scratch):
             return
         bits = memory_bits(n, scratch.neighbours)
         weight = set_weights(scratch.shares[:n], scratch.weights)
         budget = int(scratch.known[STATES])
-        if is_to_end(n, scratch) or _search(paths, pursuit, weight, bits, budget, scratch):
+        if is_to_end(scratch) or _search(paths, pursuit, weight, bits, budget, scratch):
             return
         rounds, most = 2 * rounds, min(most + 1, MOST_NEIGHBOURS)
 
@@ -214,7 +214,7 @@ def _walk_rounds(
     for i in range(n):
         scratch.direction[i] = 0.0
     for step in range(rounds):
-        if step > 0 and is_to_end(n, scratch):
+        if step > 0 and is_to_end(scratch):
             break
         bits = memory_bits(n, scratch.neighbours)
         weight = set_weights(scratch.shares[:n], scratch.weights)

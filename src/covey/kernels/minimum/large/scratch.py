@@ -6,8 +6,7 @@ from typing import NamedTuple
 
 from covey.kernels._jit import inlined
 from covey.kernels.arrays import (
-    ABANDON,
-    FINISH,
+    GO_ON,
     LABELS,
     MOST_NEIGHBOURS,
     MOST_WEIGHT,
@@ -22,11 +21,6 @@ from covey.kernels.arrays import (
 LOWER, UPPER, STATES = range(3)
 """Slots of what is known: all sequences take at least and some takes at most so long; how many
 states and labels were extended in this call."""
-
-
-ALWAYS_PROVEN = 20
-"""Evaders up to which the minimum is always proven: labels suffice, and take a fraction of a
-second."""
 
 
 class State(NamedTuple):
@@ -117,7 +111,6 @@ def slot_of(n: int, size: int, weight: int, i: int) -> int:
 
 
 @inlined
-def is_to_end(n: int, scratch: LargeScratch) -> bool:
-    """Whether the minimum for n evaders is to be given up now."""
-    stop = scratch.stop[0]
-    return stop == ABANDON or (stop == FINISH and n > ALWAYS_PROVEN)
+def is_to_end(scratch: LargeScratch) -> bool:
+    """Whether walks and labels are to be given up now."""
+    return scratch.stop[0] != GO_ON

@@ -68,7 +68,7 @@ def search_labels(
             scratch.table[slot] = 0
         for label in range(begin, end):
             layer = _extend(paths, pursuit, bits, label, budget, layer, scratch)
-            if layer.end == _FULL or is_to_end(n, scratch):
+            if layer.end == _FULL or is_to_end(scratch):
                 return FAILED
         scratch.known[STATES] += float(end - begin)
         begin, end = layer.begin, layer.end

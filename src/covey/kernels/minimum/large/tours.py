@@ -51,7 +51,7 @@ def _insert_last(paths: Floats, pursuit: Pursuit, count: int, tour: Tour) -> flo
     best, least = count - 1, math.inf
     for slot in range(count):
         _move(sequence, count - 1, 1, slot, False, trial)
-        time = _last_capture(paths, pursuit, slot, trial, tour.times, least)
+        time = _last_capture(paths, pursuit, slot, count, trial, tour.times, least)
         if time < least:
             best, least = slot, time
     _move(sequence, count - 1, 1, best, False, trial)
@@ -86,8 +86,8 @@ def _improve_stretch(
         for backwards in range(slot == begin, 1 + (size > 1)):
             _move(sequence, begin, size, slot, backwards > 0, trial)
             bound = least * (1.0 - _ROUNDING)
-            start = min(begin, slot)
-            if _last_capture(paths, pursuit, start, trial, tour.times, bound) < bound:
+            start, end = min(begin, slot), max(begin, slot) + size
+            if _last_capture(paths, pursuit, start, end, trial, tour.times, bound) < bound:
                 for k in range(len(sequence)):
                     sequence[k] = trial[k]
                 least = retime(paths, pursuit, start, sequence, tour.times)
@@ -108,9 +108,19 @@ def _move(sequence: Ints, begin: int, size: int, slot: int, backwards: bool, tri
 
 @compiled
 def _last_capture(
-    paths: Floats, pursuit: Pursuit, begin: int, sequence: Ints, times: Floats, bound: float
+    paths: Floats,
+    pursuit: Pursuit,
+    begin: int,
+    end: int,
+    sequence: Ints,
+    times: Floats,
+    bound: float,
 ) -> float:
-    """Return the last capture of a sequence whose first times are known; or a time >= `bound`."""
+    """Return the last capture of a sequence after a move, or a time >= `bound`.
+
+    The move changed the slots from `begin` up to `end`. `times` are those before the move. Where an
+    evader after the move is captured no earlier than before, so are all that follow.
+    """
     last, time = -1, 0.0
     if begin > 0:
         last, time = sequence[begin - 1], times[begin - 1]
@@ -119,4 +129,6 @@ def _last_capture(
             break
         time = next_capture(paths, pursuit, last, time, sequence[k])
         last = sequence[k]
+        if k >= end and time >= times[k]:
+            return math.inf
     return time
