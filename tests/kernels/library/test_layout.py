@@ -47,7 +47,7 @@ def test_a_record_that_keeps_its_words_has_those_of_its_fields(kernel):
     opened = sum(leaf.words for leaf in leaves(parameters_of(kernel)))
     memory = new_workspace(3)
     fields = [value for value in (*memory, *memory.walks) if isinstance(value, np.ndarray)]
-    assert len(memory.words) == 8 * (3 + sum(1 + field.ndim for field in fields))
+    assert len(memory.words) == 8 * (4 + sum(1 + field.ndim for field in fields))
     assert opened > len(memory.words) // 8
 
 
