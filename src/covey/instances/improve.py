@@ -1,0 +1,113 @@
+"""Search for better values: `python -m covey.instances.improve circle-30 --seconds 60`.
+
+Without names all games are searched, one after the other. What is better is written to `values/` at
+once, and nothing there gets worse. Other seeds find other plans.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+
+from covey.bounds.bracket import LowerEnd, UpperBound, default_depth, upper_bound
+from covey.instances.files import instance_names, require_instance, values_path
+from covey.instances.instance import KnownBracket, KnownPlan
+from covey.instances.load import load_instance, load_state
+from covey.instances.text import values_text
+from covey.model import PursuerDisk, Team
+from covey.model.angles import wrap_angle
+from covey.model.validation import Floats, read_only
+from covey.planning import guaranteed_survival, plan, plan_contingent
+
+
+def improve(name: str, seconds: float, seed: int, *, bounds: bool) -> bool:
+    """Search for a better plan of a game for so many seconds; return whether there is one.
+
+    The proof of what the plan guarantees may take as long again. The bounds of the bracket are
+    computed only where there are none yet, or for `bounds`.
+    """
+    team, disk = load_state(name)
+    known = load_instance(name) if values_path(name).exists() else None
+    first = _with_guarantee(team, disk, 0.0 * team.headings, 0.0) if known is None else known.plan
+    best = _better_plan(team, disk, first, seconds, seed)
+    bracket = _bracket(team, disk, best, None if known is None else known.bracket, bounds)
+    values_path(name).write_text(values_text(name, best, bracket), encoding="utf-8")
+    return best != first
+
+
+def _better_plan(
+    team: Team, disk: PursuerDisk, best: KnownPlan, seconds: float, seed: int
+) -> KnownPlan:
+    until = time.perf_counter() + seconds
+    while (left := until - time.perf_counter()) > 0.0:
+        found = plan(team, disk, seed=seed, time_limit=left, warm_start=best.turns)
+        if found.survival_time > best.survival_time:
+            best = max(_with_guarantee(team, disk, found.turns, seconds), best, key=_worth)
+        seed += 1
+    if not best.exact:
+        best = max(_with_guarantee(team, disk, best.turns, seconds), best, key=_worth)
+    return best
+
+
+def _worth(known: KnownPlan) -> tuple[float, float]:
+    return known.survival_time, -known.upper
+
+
+def _with_guarantee(team: Team, disk: PursuerDisk, turns: Floats, seconds: float) -> KnownPlan:
+    """Return turns with what they guarantee, as far as so many seconds prove it."""
+    found = guaranteed_survival(team, disk, turns, time_limit=seconds)
+    goals = read_only(wrap_angle(team.headings + turns))
+    return KnownPlan(turns, goals, found.time, found.sequence, found.upper)
+
+
+def _bracket(
+    team: Team, disk: PursuerDisk, best: KnownPlan, known: KnownBracket | None, anew: bool
+) -> KnownBracket:
+    """Return the best bracket that is known, with what the plan guarantees."""
+    lowers = [(best.survival_time, LowerEnd.OPEN_LOOP, 0)]
+    uppers = []
+    if known is not None:
+        lowers.append((known.lower, known.lower_by, known.depth))
+        uppers.append(UpperBound(known.upper, known.upper_by, known.sequence, known.start))
+    if known is None or anew:
+        lowers += _contingent(team, disk)
+        uppers += _upper_bounds(team, disk, best)
+    return KnownBracket(
+        *max(lowers, key=lambda each: each[0]), *min(uppers, key=lambda each: each.time)
+    )
+
+
+def _contingent(team: Team, disk: PursuerDisk) -> list[tuple[float, LowerEnd, int]]:
+    depth = default_depth(len(team))
+    if depth == 0:
+        return []
+    delayed = plan_contingent(team, disk, depth).with_delays
+    return [(delayed.survival_time, LowerEnd.CONTINGENT, depth)]
+
+
+def _upper_bounds(team: Team, disk: PursuerDisk, best: KnownPlan) -> list[UpperBound]:
+    """Return the bound, and the one from the position at which that pursuer starts."""
+    end = upper_bound(team, disk, [best.worst_sequence])
+    return [end, upper_bound(team, starting_at(disk, end.start), [end.sequence])]
+
+
+def starting_at(disk: PursuerDisk, position: Floats) -> PursuerDisk:
+    """Return the pursuer where its position is known."""
+    return PursuerDisk(position, 0.0, disk.speed, disk.capture_radius)
+
+
+def main() -> None:
+    """Search the games that are named, and print a line for each."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("names", nargs="*", help="by default all games")
+    parser.add_argument("--seconds", type=float, default=10.0, help="for each game")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--bounds", action="store_true", help="compute the brackets anew, too")
+    options = parser.parse_args()
+    for name in [*map(require_instance, options.names)] or instance_names():
+        better = improve(name, options.seconds, options.seed, bounds=options.bounds)
+        print(load_instance(name), "better" if better else "", flush=True)
+
+
+if __name__ == "__main__":
+    main()
