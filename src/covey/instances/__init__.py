@@ -2,7 +2,7 @@
 
 `games/` has the states, a scenario file each, which never change; `values/` has the best plans and
 bounds known, which get better. Read `instance` and `load`, then `generate` (where the games came
-from), `improve` and `check` (where the values come from, and whether they hold), and `score`
+from), `improve` and `check` (where the values come from, and whether they hold), and `scores`
 (strategies on the set). The public names stand in `__init__.pyi`.
 """
 

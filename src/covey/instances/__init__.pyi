@@ -6,3 +6,5 @@ from .instance import Instance as Instance
 from .instance import KnownBracket as KnownBracket
 from .instance import KnownPlan as KnownPlan
 from .load import load_instance as load_instance
+from .scores import Score as Score
+from .scores import score as score

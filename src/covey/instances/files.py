@@ -32,8 +32,8 @@ def require_instance(name: object) -> str:
     from covey.scenarios.mistakes import did_you_mean
 
     raise InputError(
-        f"expected the name of a game of the covey set, got {shown(name)}"
-        f"{did_you_mean(name, names)} `covey instances` lists all {len(names)}"
+        f"expected the name of a game of the covey set, got {shown(name)}; `covey instances` lists "
+        f"all {len(names)}{did_you_mean(name, names)}"
     )
 
 

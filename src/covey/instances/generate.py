@@ -182,8 +182,8 @@ def games() -> Iterator[tuple[str, str, Team, PursuerDisk]]:
 
 def main() -> None:
     """Write the states of all games."""
-    for name, *game in games():
-        instance_path(name).write_text(game_text(*game), encoding="utf-8")
+    for name, about, team, disk in games():
+        instance_path(name).write_text(game_text(about, team, disk), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import time
+from operator import itemgetter
 
 from covey.bounds.bracket import LowerEnd, UpperBound, default_depth, upper_bound
 from covey.instances.files import instance_names, require_instance, values_path
@@ -72,9 +73,8 @@ def _bracket(
     if known is None or anew:
         lowers += _contingent(team, disk)
         uppers += _upper_bounds(team, disk, best)
-    return KnownBracket(
-        *max(lowers, key=lambda each: each[0]), *min(uppers, key=lambda each: each.time)
-    )
+    (lower, lower_by, depth), end = max(lowers, key=itemgetter(0)), min(uppers, key=itemgetter(0))
+    return KnownBracket(lower, lower_by, depth, end.time, end.by, end.sequence, end.start)
 
 
 def _contingent(team: Team, disk: PursuerDisk) -> list[tuple[float, LowerEnd, int]]:
@@ -86,8 +86,10 @@ def _contingent(team: Team, disk: PursuerDisk) -> list[tuple[float, LowerEnd, in
 
 
 def _upper_bounds(team: Team, disk: PursuerDisk, best: KnownPlan) -> list[UpperBound]:
-    """Return the bound, and the one from the position at which that pursuer starts."""
+    """Return the bound and, for a disk, the one from where that pursuer starts in it."""
     end = upper_bound(team, disk, [best.worst_sequence])
+    if disk.radius == 0.0:
+        return [end]
     return [end, upper_bound(team, starting_at(disk, end.start), [end.sequence])]
 
 

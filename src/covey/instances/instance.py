@@ -120,6 +120,10 @@ class Instance(Value):
     plan: KnownPlan
     bracket: KnownBracket
 
+    def parts(self) -> tuple[Team, PursuerDisk, KnownPlan, KnownBracket]:
+        """Return everything but the name."""
+        return self.team, self.disk, self.plan, self.bracket
+
     def __repr__(self) -> str:
         """Return the name, the size, and what is known, in one line."""
         return one_line(

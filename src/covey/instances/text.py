@@ -1,4 +1,4 @@
-"""The texts of the two files of a game. Each number has all its digits, so it reads back exactly."""
+"""The texts of the two files of a game: numbers with all their digits, which read back exactly."""
 
 from __future__ import annotations
 

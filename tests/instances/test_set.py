@@ -1,0 +1,110 @@
+"""The files of the covey set: where the games came from, and what can be read from them."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+
+import numpy as np
+import pytest
+
+import covey
+from covey.instances import instance_names, instance_path
+from covey.instances.files import values_path
+from covey.instances.generate import games
+from covey.instances.load import load_state
+from covey.instances.text import game_text, values_text
+from covey.kernels.arrays import MOST_EVADERS, MOST_IN_GAMES
+
+GENERATED = {name: rest for name, *rest in games()}
+NAMES = instance_names()
+
+
+def test_every_game_has_a_file_of_its_state_and_one_of_values():
+    assert set(NAMES) == set(GENERATED)
+    assert {path.stem for path in values_path("any").parent.iterdir()} == set(NAMES)
+
+
+def test_sizes_go_from_two_to_the_most_evaders_that_a_guarantee_takes():
+    sizes = [len(team) for _, team, _ in GENERATED.values()]
+    assert (min(sizes), max(sizes)) == (2, MOST_EVADERS)
+    assert len(NAMES) >= 60
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_state_is_what_the_generator_gives(name):
+    """Up to the last digits of sines and cosines, in which libraries differ."""
+    about, team, disk = GENERATED[name]
+    loaded, loaded_disk = load_state(name)
+    assert loaded.as_rows() == pytest.approx(team.as_rows(), rel=1e-14, abs=1e-15)
+    assert loaded_disk == disk
+    assert loaded.unit == team.unit
+    assert instance_path(name).read_text("utf-8") == game_text(about, loaded, disk)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_values_read_back_exactly_and_belong_to_the_game(name):
+    game = covey.load_instance(name)
+    text = values_path(name).read_text("utf-8")
+    assert text == values_text(name, game.plan, game.bracket)
+    assert tomllib.loads(text)["plan"]["exact"] == game.plan.exact
+    n = len(game.team)
+    assert game.plan.turns.shape == game.plan.goal_headings.shape == (n,)
+    assert sorted(game.plan.worst_sequence) == sorted(game.bracket.sequence) == [*range(n)]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_bound_contradicts_another(name):
+    game = covey.load_instance(name)
+    plan, bracket = game.plan, game.bracket
+    assert 0.0 < plan.survival_time <= plan.upper
+    assert plan.survival_time <= bracket.lower <= bracket.upper * (1.0 + 1e-9)
+    times = covey.capture_times(game.team, game.disk, plan.turns, plan.worst_sequence)
+    assert times[-1] == pytest.approx(plan.upper, rel=1e-12)
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if int(name.split("-")[-1]) <= 17])
+def test_the_guarantee_of_a_small_team_is_exact(name):
+    game = covey.load_instance(name)
+    assert game.plan.exact
+    found = covey.guaranteed_survival(game.team, game.disk, game.plan.turns)
+    assert found.time == pytest.approx(game.plan.survival_time, rel=1e-12)
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if len(load_state(name)[0]) <= 8])
+def test_a_short_search_finds_no_better_plan(name):
+    game = covey.load_instance(name)
+    found = covey.plan(game.team, game.disk, starts=4, warm_start=game.plan.turns)
+    assert found.survival_time <= game.plan.survival_time * (1.0 + 1e-6)
+
+
+@pytest.mark.parametrize("name", [n for n in NAMES if len(load_state(n)[0]) <= MOST_IN_GAMES])
+def test_the_state_is_a_scenario(name):
+    game, scenario = covey.load_instance(name), covey.load_scenario(instance_path(name))
+    assert (scenario.team, scenario.disk) == (game.team, game.disk)
+
+
+def test_two_evaders_who_do_not_turn_are_bracketed_to_one_number():
+    """By hand: each flies straight away from the pursuer and from where the other is captured."""
+    bracket = covey.load_instance("simple-2").bracket
+    assert bracket.lower == pytest.approx(bracket.upper, rel=1e-2)
+
+
+def test_evaders_on_a_circle_are_all_as_far_away():
+    team, disk = load_state("circle-30")
+    assert np.hypot(*(team.positions - disk.center).T) == pytest.approx(0.5)
+    assert np.diff(np.sort(team.headings)) == pytest.approx(2 * math.pi / 30)
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("circle-31", 'lists all .*; did you mean "circle-30"'),
+        ("xyz", "lists all [0-9]+$"),
+        (3, "got 3"),
+        ("../values/paper-2", "expected the name of a game"),
+    ],
+)
+def test_an_unknown_name_is_told_with_the_nearest_one(name, said):
+    with pytest.raises(covey.InputError, match=said):
+        covey.load_instance(name)
