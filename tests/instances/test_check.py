@@ -11,7 +11,7 @@ import pytest
 import covey
 from covey.instances import files
 from covey.instances.check import check
-from covey.instances.improve import improve
+from covey.instances.improve import improve, main
 from covey.instances.load import load_instance
 
 SMALL = [name for name in files.instance_names() if int(name.split("-")[-1]) <= 4]
@@ -71,42 +71,85 @@ def test_a_sequence_that_was_changed_is_found(copy, key):
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "said"),
+    ("name", "old", "new", "said"),
     [
-        ("exact = true", "exact = false", "expected the line `exact = true`"),
-        ("depth = 2", "depth = 1", "lower: is "),
-        ("with their turn rates", "that turn at once", "upper_by: expected announced"),
+        ("mixed-3", "exact = true", "exact = false", "expected the line `exact = true`"),
+        ("mixed-3", "depth = 2", "depth = 0", "lower: is "),
+        ("mixed-3", "that turn at once", "with their turn rates", "upper_by: expected announced"),
     ],
 )
-def test_a_statement_that_was_changed_is_found(copy, old, new, said):
-    text = "\n".join(lines_of("mixed-3"))
-    if "turn rates" in old:
-        name = next(n for n in SMALL if old in "\n".join(lines_of(n)))
-        text = "\n".join(lines_of(name))
-    else:
-        name = "mixed-3"
-    lines = text.splitlines()
-    where = max(k for k, line in enumerate(lines) if old in line)
-    lines[where] = lines[where].replace(old, new)
-    (copy / f"{name}.toml").write_text("\n".join([*lines, ""]), "utf-8")
+def test_a_statement_that_was_changed_is_found(copy, name, old, new, said):
+    path = copy / f"{name}.toml"
+    assert old in path.read_text("utf-8")
+    path.write_text(path.read_text("utf-8").replace(old, new), "utf-8")
     assert any(said in mistake for mistake in check(load_instance(name), 60.0).mistakes)
 
 
-def test_a_guarantee_that_no_time_is_left_for_is_called_undecided():
-    game = covey.load_instance("paper-20")
-    found = check(game, 0.0)
-    assert found.mistakes == []
-    assert re.match("survival_time: .* was proven within 0 s", found.undecided[0])
+@pytest.mark.parametrize(
+    ("below", "above", "mistakes", "undecided"),
+    [
+        (0.9, 1.0, 0, 1),  # less was proven in the time
+        (0.8, 0.9, 1, 0),  # another sequence is worse
+        (1.1, 1.2, 1, 0),  # more is guaranteed
+    ],
+)
+def test_a_guarantee_is_wrong_only_if_it_is_refuted(below, above, mistakes, undecided, monkeypatch):
+    game = covey.load_instance("disk-2")
+    time, sequence = game.plan.survival_time, game.plan.worst_sequence
+
+    def proven_in_time(team, disk, turns, time_limit):
+        return covey.Guarantee(below * time, sequence, above * time)
+
+    monkeypatch.setattr("covey.instances.check.guaranteed_survival", proven_in_time)
+    assert tuple(map(len, check(game, 3.0))) == (mistakes, undecided)
 
 
 def test_a_search_improves_a_worse_plan_and_keeps_a_better_one(copy):
     best = load_instance("mixed-3").plan
     path = copy / "mixed-3.toml"
     path.unlink()
-    assert improve("mixed-3", 0.2, seed=0, bounds=False)
+    assert improve("mixed-3", 0.2, seed=0)
     found = load_instance("mixed-3")
     assert found.plan.survival_time == pytest.approx(best.survival_time, rel=1e-6)
     assert check(found, 60.0).mistakes == []
     text = path.read_text("utf-8")
     assert not improve("mixed-3", 0.0, seed=0, bounds=True)
     assert path.read_text("utf-8") == text
+
+
+def test_a_plan_of_ones_own_is_taken_only_if_it_guarantees_more(copy, tmp_path, capsys):
+    path, mine = copy / "mixed-3.toml", tmp_path / "mine.txt"
+    text, turns = path.read_text("utf-8"), load_instance("mixed-3").plan.turns
+    words = ["mixed-3", "--seconds", "0", "--turns", str(mine)]
+    mine.write_text("0.1\n0.2\n-0.3\n")
+    main(words)
+    assert path.read_text("utf-8") == text
+    path.unlink()
+    main(words)
+    worse = load_instance("mixed-3").plan
+    assert worse.turns.tolist() == [0.1, 0.2, -0.3]
+    mine.write_text("\n".join(map(repr, turns.tolist())))
+    main(words)
+    assert load_instance("mixed-3").plan.turns.tolist() == turns.tolist()
+    assert [line.endswith("better") for line in capsys.readouterr().out.splitlines()] == [
+        False,
+        True,
+        True,
+    ]
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["circle-31"], 'did you mean "circle-30"?'),
+        (["mixed-3", "--turns", "no.txt"], "no.txt: expected a number in each line"),
+        (["mixed-3", "--turns", "two.txt"], "turns: expected an array of shape (3,)"),
+        (["paper-2", "--turns", "two.txt"], "turns: expected turns in [-π, π]"),
+    ],
+)
+def test_a_mistake_in_a_search_is_told(words, said, copy, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "two.txt").write_text("0.1\n4.0\n")
+    with pytest.raises(SystemExit, match="2"):
+        main(words)
+    assert said in capsys.readouterr().err

@@ -8,7 +8,14 @@ _FOLDER = Path(__file__).parent
 
 
 def instance_names() -> list[str]:
-    """Return the names of all games of the set, by family and size."""
+    """Return the names of all games of the set, by family and size.
+
+    Examples
+    --------
+    >>> import covey
+    >>> covey.instances.instance_names()[:2]
+    ['agile-5', 'agile-12']
+    """
     return sorted((path.stem for path in (_FOLDER / "games").glob("*.toml")), key=_family_and_size)
 
 

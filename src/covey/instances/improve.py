@@ -1,39 +1,54 @@
 """Search for better values: `python -m covey.instances.improve circle-30 --seconds 60`.
 
 Without names all games are searched, one after the other. What is better is written to `values/` at
-once, and nothing there gets worse. Other seeds find other plans.
+once, and nothing there gets worse. Other seeds find other plans. `--turns FILE` begins with a plan
+of one's own: a line for each evader, the signed turn in radians.
 """
 
 from __future__ import annotations
 
 import argparse
+import math
 import time
+from collections.abc import Sequence
 from operator import itemgetter
+
+import numpy as np
 
 from covey.bounds.bracket import LowerEnd, UpperBound, default_depth, upper_bound
 from covey.instances.files import instance_names, require_instance, values_path
 from covey.instances.instance import KnownBracket, KnownPlan
 from covey.instances.load import load_instance, load_state
 from covey.instances.text import values_text
-from covey.model import PursuerDisk, Team
+from covey.model import InputError, PursuerDisk, Team
 from covey.model.angles import wrap_angle
-from covey.model.validation import Floats, read_only
+from covey.model.validation import Floats, checked_array, read_only
 from covey.planning import guaranteed_survival, plan, plan_contingent
 
 
-def improve(name: str, seconds: float, seed: int, *, bounds: bool) -> bool:
+def improve(
+    name: str, seconds: float, seed: int, *, bounds: bool = False, turns: Floats | None = None
+) -> bool:
     """Search for a better plan of a game for so many seconds; return whether there is one.
 
-    The proof of what the plan guarantees may take as long again. The bounds of the bracket are
-    computed only where there are none yet, or for `bounds`.
+    The search begins with the best plan known, and with `turns` (N,). Each proof of what a plan
+    guarantees may take as long again. The bounds of the bracket are computed only where there are
+    none yet, or for `bounds`.
     """
     team, disk = load_state(name)
     known = load_instance(name) if values_path(name).exists() else None
-    first = _with_guarantee(team, disk, 0.0 * team.headings, 0.0) if known is None else known.plan
-    best = _better_plan(team, disk, first, seconds, seed)
+    first = [] if known is None else [known.plan]
+    if turns is not None:
+        turns = checked_array("turns", turns, (len(team),))
+        if np.abs(turns).max() > math.pi:
+            raise InputError("turns: expected turns in [-π, π]")
+        first.append(_with_guarantee(team, disk, turns, seconds))
+    elif known is None:
+        first.append(_with_guarantee(team, disk, 0.0 * team.headings, seconds))
+    best = _better_plan(team, disk, max(first, key=_worth), seconds, seed)
     bracket = _bracket(team, disk, best, None if known is None else known.bracket, bounds)
     values_path(name).write_text(values_text(name, best, bracket), encoding="utf-8")
-    return best != first
+    return known is None or best != known.plan
 
 
 def _better_plan(
@@ -98,17 +113,32 @@ def starting_at(disk: PursuerDisk, position: Floats) -> PursuerDisk:
     return PursuerDisk(position, 0.0, disk.speed, disk.capture_radius)
 
 
-def main() -> None:
+def _numbers_in(path: str) -> Floats:
+    try:
+        return np.loadtxt(path, ndmin=1)
+    except (OSError, ValueError) as error:
+        raise argparse.ArgumentTypeError(
+            f"{path}: expected a number in each line: {error}"
+        ) from None
+
+
+def main(words: Sequence[str] | None = None) -> None:
     """Search the games that are named, and print a line for each."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("names", nargs="*", help="by default all games")
     parser.add_argument("--seconds", type=float, default=10.0, help="for each game")
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--turns", type=_numbers_in, help="file with a plan of one game")
     parser.add_argument("--bounds", action="store_true", help="compute the brackets anew, too")
-    options = parser.parse_args()
-    for name in [*map(require_instance, options.names)] or instance_names():
-        better = improve(name, options.seconds, options.seed, bounds=options.bounds)
-        print(load_instance(name), "better" if better else "", flush=True)
+    options = parser.parse_args(words)
+    try:
+        for name in [*map(require_instance, options.names)] or instance_names():
+            better = improve(
+                name, options.seconds, options.seed, bounds=options.bounds, turns=options.turns
+            )
+            print(load_instance(name), "better" if better else "", flush=True)
+    except InputError as error:
+        parser.error(str(error))
 
 
 if __name__ == "__main__":

@@ -28,8 +28,9 @@ def instances(
 ) -> None:
     """List the covey set: games for comparisons, and what is known about each.
 
-    The guaranteed time is that of the best plan known, exact where nothing else is said. No team is
-    sure of more than the upper bound. `covey show NAME` prints the state of a game, a scenario.
+    The guaranteed time is that of the best plan known; where it isn't exact, it is a proven lower
+    bound of what this plan guarantees. No team is sure of more than the upper bound. `covey show
+    NAME` prints the state of a game, a scenario.
 
     Try:
 

@@ -12,7 +12,7 @@ from covey.cli.show.tables import new_console, new_table, number
 
 def print_instances(chosen: list[covey.Instance]) -> None:
     """Print a line for each game."""
-    table = new_table("game", "evaders", "guaranteed", "", "lower bound", "upper bound")
+    table = new_table("game", "evaders", "guaranteed", "exact", "lower bound", "upper bound")
     table.columns[0].justify = "left"
     for each in chosen:
         plan, bracket, unit = each.plan, each.bracket, each.team.units.time
@@ -20,7 +20,7 @@ def print_instances(chosen: list[covey.Instance]) -> None:
             each.name,
             str(len(each.team)),
             number(plan.survival_time, unit),
-            "" if plan.exact else f"or more, up to {number(plan.upper, unit)}",
+            "yes" if plan.exact else "no",
             number(bracket.lower, unit),
             number(bracket.upper, unit),
         )
