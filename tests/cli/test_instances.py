@@ -92,7 +92,7 @@ def test_a_number_that_does_not_hold_is_told_with_the_name_and_status_2(
     assert main(["instances", "--check"]) == 2
     said = capsys.readouterr()
     assert "paper-2: 3 mistakes" in said.out
-    assert "\n  paper-2: survival_time: is 2." in said.err
+    assert "\n  paper-2: plan.survival_time: is 2." in said.err
 
 
 def test_scores_a_strategy_beside_others_and_saves_every_game(capsys):

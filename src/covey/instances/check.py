@@ -9,11 +9,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.bounds.bracket import LowerEnd, upper_bound
+from covey.bounds.bracket import LowerEnd
 from covey.instances.files import values_path
-from covey.instances.improve import starting_at
 from covey.instances.instance import Instance
 from covey.instances.text import values_text
+from covey.instances.upper_end import upper_end_from
 from covey.model.angles import wrap_angle
 from covey.planning import capture_times, guaranteed_survival, plan_contingent
 
@@ -55,12 +55,12 @@ def _mistakes_of_text(instance: Instance) -> Iterator[str]:
 def _mistakes_of_plan(instance: Instance) -> Iterator[str]:
     team, disk, plan, _ = instance.parts()
     if np.abs(plan.turns).max() > math.pi:
-        yield "turns: expected turns in [-π, π]"
+        yield "plan.turns: expected turns in [-π, π]"
     off = np.abs(wrap_angle(team.headings + plan.turns - plan.goal_headings))
     if off.max() > _ROUNDING:
-        yield f"goal_headings: evader {off.argmax()} flies elsewhere after its turn"
+        yield f"plan.goal_headings: evader {off.argmax()} flies elsewhere after its turn"
     time = float(capture_times(team, disk, plan.turns, plan.worst_sequence)[-1])
-    yield from _unequal("upper", plan.upper, time, _ROUNDING)
+    yield from _unequal("plan.upper", plan.upper, time, _ROUNDING)
 
 
 def _mistakes_of_guarantee(
@@ -72,16 +72,16 @@ def _mistakes_of_guarantee(
     if plan.survival_time > found.upper * above:
         sequence = " ".join(map(str, found.sequence))
         yield (
-            f"survival_time: is {plan.survival_time!r}, but {sequence} captures everybody by "
+            f"plan.survival_time: is {plan.survival_time!r}, but {sequence} captures everybody by "
             f"{found.upper!r}"
         )
     elif plan.exact and found.time > plan.survival_time * above:
-        yield f"survival_time: is {plan.survival_time!r}, but {found.time!r} is guaranteed"
+        yield f"plan.survival_time: is {plan.survival_time!r}, but {found.time!r} is guaranteed"
     elif plan.upper < found.time * below:
-        yield f"upper: is {plan.upper!r}, but {found.time!r} is guaranteed"
+        yield f"plan.upper: is {plan.upper!r}, but {found.time!r} is guaranteed"
     elif found.time < plan.survival_time * below:
         undecided.append(
-            f"survival_time: {found.time!r} was proven within {time_limit:g} s, of "
+            f"plan.survival_time: {found.time!r} was proven within {time_limit:g} s, of "
             f"{plan.survival_time!r}"
         )
 
@@ -89,25 +89,25 @@ def _mistakes_of_guarantee(
 def _mistakes_of_lower_end(instance: Instance) -> Iterator[str]:
     team, disk, plan, bracket = instance.parts()
     if bracket.lower_by is LowerEnd.OPEN_LOOP:
-        yield from _unequal("lower", bracket.lower, plan.survival_time, 0.0)
+        yield from _unequal("bracket.lower", bracket.lower, plan.survival_time, 0.0)
     else:
         tree = plan_contingent(team, disk, bracket.depth)
-        yield from _unequal("lower", bracket.lower, tree.with_delays.survival_time, _ASCENT)
+        yield from _unequal("bracket.lower", bracket.lower, tree.with_delays.survival_time, _ASCENT)
     if bracket.lower > bracket.upper * (1.0 + _ROUNDING):
-        yield f"lower: {bracket.lower!r} is above upper, {bracket.upper!r}"
+        yield f"bracket.lower: {bracket.lower!r} is above upper, {bracket.upper!r}"
 
 
 def _mistakes_of_upper_end(instance: Instance) -> Iterator[str]:
     team, disk, _, bracket = instance.parts()
     off = bracket.start - disk.center
     if np.hypot(*off) > disk.radius * (1.0 + _ROUNDING):
-        yield f"start: {bracket.start.tolist()} is outside the pursuer's disk"
-    end = upper_bound(team, starting_at(disk, bracket.start), [bracket.sequence])
-    yield from _unequal("upper", bracket.upper, end.time, _ROUNDING)
+        yield f"bracket.start: {bracket.start.tolist()} is outside the pursuer's disk"
+    end = upper_end_from(team, disk, bracket.start, bracket.sequence)
+    yield from _unequal("bracket.upper", bracket.upper, end.time, _ROUNDING)
     if end.by is not bracket.upper_by:
-        yield f"upper_by: expected {end.by}, got {bracket.upper_by}"
+        yield f"bracket.upper_by: expected {end.by}, got {bracket.upper_by}"
     if end.sequence != bracket.sequence:
-        yield f"sequence: expected {list(end.sequence)}, got {list(bracket.sequence)}"
+        yield f"bracket.sequence: expected {list(end.sequence)}, got {list(bracket.sequence)}"
 
 
 def _unequal(name: str, stored: float, computed: float, tolerance: float) -> Iterator[str]:

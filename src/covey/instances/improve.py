@@ -1,8 +1,9 @@
 """Search for better values: `python -m covey.instances.improve circle-30 --seconds 60`.
 
 Without names all games are searched, one after the other. What is better is written to `values/` at
-once, and nothing there gets worse. Other seeds find other plans. `--turns FILE` begins with a plan
-of one's own: a line for each evader, the signed turn in radians.
+once, and no plan gets worse. Other seeds find other plans. `--turns FILE` begins with a plan of
+one's own: a line for each evader, the signed turn in radians. `--bounds` is for a change of covey
+after which the bounds of brackets come out differently.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from covey.instances.files import instance_names, require_instance, values_path
 from covey.instances.instance import KnownBracket, KnownPlan
 from covey.instances.load import load_instance, load_state
 from covey.instances.text import values_text
+from covey.instances.upper_end import upper_end_from
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.angles import wrap_angle
 from covey.model.validation import Floats, checked_array, read_only
@@ -33,7 +35,7 @@ def improve(
 
     The search begins with the best plan known, and with `turns` (N,). Each proof of what a plan
     guarantees may take as long again. The bounds of the bracket are computed only where there are
-    none yet, or for `bounds`.
+    none yet, or anew for `bounds`.
     """
     team, disk = load_state(name)
     known = load_instance(name) if values_path(name).exists() else None
@@ -79,15 +81,14 @@ def _with_guarantee(team: Team, disk: PursuerDisk, turns: Floats, seconds: float
 def _bracket(
     team: Team, disk: PursuerDisk, best: KnownPlan, known: KnownBracket | None, anew: bool
 ) -> KnownBracket:
-    """Return the best bracket that is known, with what the plan guarantees."""
+    """Return the bracket that is known, or a new one, with what the plan guarantees."""
     lowers = [(best.survival_time, LowerEnd.OPEN_LOOP, 0)]
-    uppers = []
-    if known is not None:
-        lowers.append((known.lower, known.lower_by, known.depth))
-        uppers.append(UpperBound(known.upper, known.upper_by, known.sequence, known.start))
     if known is None or anew:
         lowers += _contingent(team, disk)
-        uppers += _upper_bounds(team, disk, best)
+        uppers = _upper_bounds(team, disk, best)
+    else:
+        lowers.append((known.lower, known.lower_by, known.depth))
+        uppers = [UpperBound(known.upper, known.upper_by, known.sequence, known.start)]
     (lower, lower_by, depth), end = max(lowers, key=itemgetter(0)), min(uppers, key=itemgetter(0))
     return KnownBracket(lower, lower_by, depth, end.time, end.by, end.sequence, end.start)
 
@@ -105,12 +106,7 @@ def _upper_bounds(team: Team, disk: PursuerDisk, best: KnownPlan) -> list[UpperB
     end = upper_bound(team, disk, [best.worst_sequence])
     if disk.radius == 0.0:
         return [end]
-    return [end, upper_bound(team, starting_at(disk, end.start), [end.sequence])]
-
-
-def starting_at(disk: PursuerDisk, position: Floats) -> PursuerDisk:
-    """Return the pursuer where its position is known."""
-    return PursuerDisk(position, 0.0, disk.speed, disk.capture_radius)
+    return [end, upper_end_from(team, disk, end.start, end.sequence)]
 
 
 def _numbers_in(path: str) -> Floats:
@@ -129,7 +125,7 @@ def main(words: Sequence[str] | None = None) -> None:
     parser.add_argument("--seconds", type=float, default=10.0, help="for each game")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--turns", type=_numbers_in, help="file with a plan of one game")
-    parser.add_argument("--bounds", action="store_true", help="compute the brackets anew, too")
+    parser.add_argument("--bounds", action="store_true", help="compute the brackets anew")
     options = parser.parse_args(words)
     try:
         for name in [*map(require_instance, options.names)] or instance_names():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -16,6 +16,8 @@ from covey.cli.shared.own_strategy import load_strategy
 from covey.cli.shared.waiting import counting
 from covey.cli.show.instances import print_scores
 from covey.cli.show.json_output import print_json
+
+_BESIDE = ("iterative-open-loop", "open-loop", "straight-away")
 
 
 def score(
@@ -34,11 +36,13 @@ def score(
         int, Parameter(help="The most evaders of a game, where no games are named.")
     ] = 8,
     beside: Annotated[
-        list[str],
+        list[str] | None,
         Parameter(
-            consume_multiple=True, help="Strategies that come with covey and play the same games."
+            consume_multiple=True,
+            help="Strategies that come with covey and play the same games; by default "
+            f"{', '.join(_BESIDE)}.",
         ),
-    ] = ["iterative-open-loop", "open-loop", "straight-away"],  # noqa: B006 it is never changed
+    ] = None,
     seed: Annotated[int, Parameter(help="Of the strategies.")] = 0,
     output: Annotated[
         Path | None,
@@ -63,7 +67,9 @@ def score(
     chosen = [covey.load_instance(name) for name in names or instances.instance_names()]
     if not names:
         chosen = _up_to(evaders, chosen)
-    scores = _play({strategy: load_strategy(strategy), **_built_in(beside)}, chosen, seed)
+    scores = _play(
+        {strategy: load_strategy(strategy), **_built_in(beside or _BESIDE)}, chosen, seed
+    )
     if json:
         print_json({name: [each._asdict() for each in rows] for name, rows in scores.items()})
     else:
@@ -81,7 +87,7 @@ def _up_to(most: int, chosen: list[covey.Instance]) -> list[covey.Instance]:
     return [each for each in chosen if len(each.team) <= most]
 
 
-def _built_in(names: list[str]) -> dict[str, Any]:
+def _built_in(names: Sequence[str]) -> dict[str, Any]:
     from covey.players.names import team_strategy  # only now, as it loads the kernels
 
     return {name: team_strategy(name) for name in names}
