@@ -67,7 +67,7 @@ wheel: $(READY) ## Build a wheel with the compiled kernels inside (PLATFORM=all 
 	$(BIN)/python packaging/wheels.py $(PLATFORM)
 
 mutants: $(READY) ## Plant bugs, one at a time, and say which test catches each (ARGS='--room views')
-	$(BIN)/python mutants/run.py $(ARGS)
+	$(BIN)/python -m mutants $(ARGS)
 
 bench: $(READY) ## Measure speed; never a part of the tests
 	$(BIN)/python -m pytest benchmarks --ignore benchmarks/bench_accounting.py --benchmark-only $(ARGS)

@@ -7,8 +7,8 @@ import json
 
 from hypothesis import strategies as st
 
-from covey.web.choices import Choices
-from covey.web.session import Session
+from covey.web.game.choices import Choices
+from covey.web.game.session import Session
 from fuzz.mutation import damaged, edited
 from fuzz.oracle import LONGEST_MESSAGE, require
 from fuzz.records import RECORDS

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 import covey
 from covey import views
 from covey.simulation.storage import _CHECKSUM_KEY, _KEY, _checksum, read_game, write_game
-from covey.web.upload import read_upload
+from covey.web.game.upload import read_upload
 from fuzz.oracle import refusal, require, require_game
 from fuzz.parquet import edited_table, encoded, parquet_cases
 from fuzz.target import Target, corpus

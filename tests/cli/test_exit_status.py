@@ -40,7 +40,7 @@ WORK = {
     "yardstick": "covey.studies.analysis.yardstick.measure",
     "instances": "covey.instances.check.check",
     "score": "covey.instances.score",
-    "chase": "covey.web.server.serve",
+    "chase": "covey.web.serving.server.serve",
     "warmup": "covey.cli.commands.warmup.load_library",
 }
 """What each command does after it has checked its arguments."""

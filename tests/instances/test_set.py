@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import math
 import tomllib
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import covey
+from covey.bounds import solve_two_evaders
 from covey.instances import instance_names, instance_path
 from covey.instances.files import values_path
 from covey.instances.generate import games
 from covey.instances.load import load_state
 from covey.instances.text import game_text, values_text
 from covey.kernels.arrays import MOST_EVADERS, MOST_IN_GAMES
+from kernels import reference_game
 
 GENERATED = {name: rest for name, *rest in games()}
 NAMES = instance_names()
@@ -84,10 +87,32 @@ def test_the_state_is_a_scenario(name):
     assert (scenario.team, scenario.disk) == (game.team, game.disk)
 
 
-def test_two_evaders_who_do_not_turn_are_bracketed_to_one_number():
-    """By hand: each flies straight away from the pursuer and from where the other is captured."""
-    bracket = covey.load_instance("simple-2").bracket
-    assert bracket.lower == pytest.approx(bracket.upper, rel=1e-2)
+@pytest.mark.parametrize("name", ["paper-4", "mixed-3", "disk-2", "reach-3", "seen-4"])
+def test_a_stranger_who_tries_every_sequence_comes_to_the_same_time(name):
+    """From the files alone, by the reference of Algorithm 1 that knows no kernel."""
+    state = tomllib.loads(instance_path(name).read_text("utf-8"))
+    plan = tomllib.loads(values_path(name).read_text("utf-8"))["plan"]
+    pursuer, evaders = state["pursuer"], state["team"]["evaders"]
+    team = SimpleNamespace(
+        positions=np.array([each["position"] for each in evaders]),
+        headings=[each["heading"] for each in evaders],
+        speeds=[each["speed"] for each in evaders],
+        turn_rates=[each["turn_rate"] for each in evaders],
+    )
+    disk = SimpleNamespace(**{**pursuer, "center": np.array(pursuer["center"])})
+    last = {
+        sequence: reference_game.sequence_times(team, disk, plan["turns"], sequence)[-1]
+        for sequence in reference_game.every_sequence(len(evaders))
+    }
+    assert min(last.values()) == pytest.approx(plan["survival_time"], rel=1e-9)
+    assert last[tuple(plan["worst_sequence"])] == pytest.approx(plan["upper"], rel=1e-9)
+
+
+def test_the_bracket_contains_the_value_that_is_known_for_two_who_turn_at_once():
+    game = covey.load_instance("simple-2")
+    value = solve_two_evaders((0.25, 0.25), cells=64).of(game.team, game.disk)
+    bracket = game.bracket
+    assert bracket.lower * (1.0 - 1e-3) <= value <= bracket.upper * (1.0 + 1e-3)
 
 
 def test_evaders_on_a_circle_are_all_as_far_away():

@@ -39,8 +39,3 @@ def test_a_hostile_file_is_one_short_message(load, text, message, tmp_path):
 @pytest.mark.parametrize("text", ["1" * 60 + "x", "+" * 60, "1e" * 30, " " * 60])
 def test_an_angle_that_is_none_is_seen_at_once(text):
     assert as_angle(text) is None
-
-
-def test_a_folder_is_no_scenario(tmp_path):
-    with pytest.raises(covey.InputError, match="can't be read: Is a directory"):
-        load_scenario(tmp_path)

@@ -14,7 +14,8 @@ from covey.scenarios.examples import TEMPLATE
 from covey.scenarios.json_schema import json_schema
 from covey.scenarios.schema import ScenarioFile
 from covey.studies.design.study_file import StudyFile
-from scenarios import test_mistakes
+from scenarios import test_mistakes_of_other_tables as of_other_tables
+from scenarios import test_mistakes_of_the_team as of_the_team
 from scenarios.scenario_files import ONE_EVADER
 
 BEYOND_A_SCHEMA = ("slower than the pursuer", "at the centre of the pursuer's disk", "nan")
@@ -62,12 +63,12 @@ def mistaken(test):
     ]
 
 
-@pytest.mark.parametrize("text", mistaken(test_mistakes.test_a_mistake_of_an_evader))
+@pytest.mark.parametrize("text", mistaken(of_the_team.test_a_mistake_of_an_evader))
 def test_a_mistake_of_an_evader_is_rejected(text):
     assert errors("scenario", f"[[team.evaders]]\n{text}\n")
 
 
-@pytest.mark.parametrize("text", mistaken(test_mistakes.test_a_mistake_of_the_rest))
+@pytest.mark.parametrize("text", mistaken(of_other_tables.test_a_mistake_of_the_rest))
 def test_a_mistake_of_the_rest_is_rejected(text):
     assert errors("scenario", f"{text}\n{ONE_EVADER}")
 

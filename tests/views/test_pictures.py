@@ -10,10 +10,11 @@ import pytest
 
 import covey
 from covey.views import draw_capture, draw_control, draw_game, draw_plan
+from covey.views.games.capture_labels import number_and_time
 from covey.views.kit import style
 from covey.views.kit.layout import Camera, single_map
 from covey.views.kit.page import Sheet
-from covey.views.kit.point_labels import label, number_and_time
+from covey.views.kit.point_labels import label
 from covey.views.kit.time_format import time_format
 from views.drawn_artists import boxes, disks, labels, line, points
 from views.flown_games import FIRST_CAPTURE, SECOND_CAPTURE, game_by_hand, simulated, turning_evader

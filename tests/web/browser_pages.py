@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import io
 import json
 import shutil
 from contextlib import contextmanager
+
+import numpy as np
+from PIL import Image
 
 from web.chase_pages import aim
 
@@ -20,6 +24,10 @@ ARGUMENTS = [
 ]
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
+
+
+TEAM, CAPTURED, BOARD = (0, 114, 178), (194, 78, 0), (251, 250, 247)
+"""Colours of the light page."""
 
 
 def found():
@@ -100,3 +108,13 @@ class Tab:
                 self.page.mouse.move(*self.place_of(*aim(frame, cast)))
             self.page.wait_for_timeout(10)
         raise AssertionError("the game didn't end")
+
+
+def colours(tab):
+    """The picture on the screen, and how many of its pixels have nearly a colour."""
+    picture = np.asarray(Image.open(io.BytesIO(tab.page.screenshot())).convert("RGB"), int)
+
+    def count(colour, of=picture):
+        return int((np.abs(of - np.array(colour)).max(axis=2) < 12).sum())
+
+    return picture, count

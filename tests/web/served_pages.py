@@ -10,7 +10,7 @@ from contextlib import contextmanager
 import uvicorn
 from websockets.sync.client import connect
 
-from covey.web.server import configuration, listen, warm_up
+from covey.web.serving.server import configuration, listen, warm_up
 
 
 class Served:

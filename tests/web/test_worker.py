@@ -13,9 +13,9 @@ import pytest
 
 import covey
 from covey.simulation.storage import read_game
-from covey.web import server
 from covey.web import worker as module
-from covey.web.session import Session
+from covey.web.game.session import Session
+from covey.web.serving import server
 from covey.web.worker import Worker
 from web.served_pages import hear, say, serving, wait_for
 

@@ -89,7 +89,7 @@ def _caption(surface: Surface, episode: Episode) -> None:
 
 
 def _scale_bar(surface: Surface, scale: float) -> None:
-    """Draw a bar of a round length, about a fifth of the picture, and write the length at it."""
+    """Draw a bar of a round length, a tenth to a quarter of the picture, with its length."""
     length = round_below(0.25 * _FINER * SIZE / scale)
     left, y = 16 * _FINER, _FINER * (SIZE - 16)
     right = left + scale * length

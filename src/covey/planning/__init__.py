@@ -1,7 +1,7 @@
 """Plans in open loop and plans that answer captures: what they guarantee, and the searches.
 
-Read `guarantee` (the inner half of eq. 6), then `open_loop`, `plan` itself, then `multistart`.
-`contingent` is about plans that answer captures.
+Read `guarantee` (the inner half of eq. 6), then `open_loop_plan` (what a plan is), `open_loop`
+(`plan` itself), then `multistart`. `contingent` is about plans that answer captures.
 `compiled_objective` turns an objective into the kernels' form.
 """
 
@@ -12,7 +12,8 @@ from covey.planning.guarantee import (
     expected_survival,
     guaranteed_survival,
 )
-from covey.planning.open_loop import Plan, PlanStatus, plan
+from covey.planning.open_loop import plan
+from covey.planning.open_loop_plan import Plan, PlanStatus
 
 __all__ = [
     "ContingentPlan",

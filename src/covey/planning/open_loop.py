@@ -1,11 +1,9 @@
-"""The open-loop plan that survives longest against any pursuer: the max-min of eq. (6)."""
+"""`plan`, the search for the turns that survive longest against any pursuer: eq. (6)."""
 
 from __future__ import annotations
 
 import math
 import time
-from dataclasses import dataclass
-from enum import StrEnum
 
 import numpy as np
 import numpy.typing as npt
@@ -13,11 +11,10 @@ import numpy.typing as npt
 from covey.kernels.arrays import LARGEST_TABLE, MOST_EVADERS, MOST_IN_GAMES
 from covey.kernels.maximum.initial_guesses import CANDIDATES
 from covey.kernels.maximum.objective import Draws
-from covey.kernels.maximum.problem import CONVERGED, STALLED, STEPS_USED_UP, Iterate, Problem
+from covey.kernels.maximum.problem import Iterate, Problem
 from covey.kernels.maximum.working_set import WorkingSet, new_working_set
 from covey.model import ExpectedSurvival, InputError, LastCapture, Objective, PursuerDisk, Team
 from covey.model.angles import wrap_angle
-from covey.model.display import html_table, one_line
 from covey.model.validation import (
     MOST_STARTS,
     Floats,
@@ -27,7 +24,6 @@ from covey.model.validation import (
     shown,
     whole_number,
 )
-from covey.model.value import Value
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.confirm import confirmed
 from covey.planning.guarantee import (
@@ -40,119 +36,12 @@ from covey.planning.guarantee import (
     worst_sequence,
 )
 from covey.planning.multistart import NONE, Ascents, Search
+from covey.planning.open_loop_plan import CRITICAL_WITHIN, PLAN_STATUS, Plan, PlanStatus
 
 DEFAULT_STARTS = 32
 """Starts of the first plan of a game that is played; `plan` by itself follows `default_starts`."""
 DEFAULT_TOLERANCE = 1e-9
 _SHARE_OF_SEARCH = 0.7  # of the time limit, for large teams; the rest is for their guarantee
-CRITICAL_WITHIN = 1e-6
-"""Sequences within this of the guaranteed time, relative, count as critical."""
-
-
-class PlanStatus(StrEnum):
-    """How the search for a plan ended.
-
-    Examples
-    --------
-    >>> import covey
-    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
-    >>> disk = covey.PursuerDisk()
-    >>> covey.plan(team, disk).status is covey.PlanStatus.CONVERGED
-    True
-    >>> covey.plan(team, disk, time_limit=0.0).status is covey.PlanStatus.TIME_LIMIT
-    True
-    """
-
-    CONVERGED = "a local maximum, the best of all starts"
-    STALLED = "the best of all starts, where rounding ended the ascent short of the tolerance"
-    STEPS_USED_UP = "the best start was still rising when its steps were used up"
-    TIME_LIMIT = "the time limit ended the search; the best turns found until then"
-
-
-PLAN_STATUS = {
-    CONVERGED: PlanStatus.CONVERGED,
-    STALLED: PlanStatus.STALLED,
-    STEPS_USED_UP: PlanStatus.STEPS_USED_UP,
-}
-"""What the kernels' numbers mean."""
-
-
-@dataclass(frozen=True, eq=False)
-class Plan(Value):
-    """A plan for the whole team, and what it guarantees.
-
-    Attributes
-    ----------
-    team, disk : Team, PursuerDisk
-        The state of the game that was planned for.
-    turns : numpy.ndarray
-        (N,) signed turns δ in [-π, π], radians: turn by δ at full rate, then fly straight.
-    goal_headings : numpy.ndarray
-        (N,) headings φ after the turn, radians in [-π, π].
-    survival_time : float
-        Guaranteed against any pursuer in the disk: the minimum over all capture sequences at these
-        turns, computed again after the search, from the turns alone. Exact for up to 20 evaders;
-        for larger teams, where the minimum is not found in time, a proven lower bound of it.
-    objective : LastCapture or TotalSurvival or ExpectedSurvival
-        What the plan makes large.
-    value : float
-        Exact value of `objective` at these turns; `survival_time` where that is `LastCapture`.
-    critical_sequences : tuple of tuple of int
-        Capture sequences that attain the value, or come within 1e-6 of it, relative, as far as the
-        search met them; the worst first. For an expectation, the sequences that it runs over.
-    status : PlanStatus
-    weights : tuple of float
-        For each critical sequence the share with which it holds the plan where it is: the Lagrange
-        multipliers of eq. (6), >= 0, summing to 1. For an expectation, their probabilities.
-    starts, steps, interceptions : int
-        What the search cost: ascents that ran to their end, steps of sequential quadratic
-        programming, interceptions computed by the dynamic programme.
-
-    Examples
-    --------
-    >>> import covey
-    >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
-    >>> disk = covey.PursuerDisk()
-    >>> plan = covey.plan(team, disk)
-    >>> sorted(plan.critical_sequences)
-    [(0, 1, 2), (1, 0, 2)]
-    >>> print(plan.status)
-    a local maximum, the best of all starts
-    """
-
-    team: Team
-    disk: PursuerDisk
-    turns: Floats
-    goal_headings: Floats
-    survival_time: float
-    objective: Objective
-    value: float
-    critical_sequences: tuple[tuple[int, ...], ...]
-    weights: tuple[float, ...]
-    status: PlanStatus
-    starts: int
-    steps: int
-    interceptions: int
-
-    def __repr__(self) -> str:
-        """Return what is guaranteed, and how the search ended, in one line."""
-        value = {} if isinstance(self.objective, LastCapture) else {"value": self.value}
-        return one_line(
-            "Plan",
-            survival_time=self.survival_time,
-            **value,
-            evaders=len(self.turns),
-            critical_sequences=len(self.critical_sequences),
-            status=self.status,
-        )
-
-    def _repr_html_(self) -> str:
-        columns = {
-            "evader": range(len(self.turns)),
-            "turn": self.turns.tolist(),
-            "goal heading": self.goal_headings.tolist(),
-        }
-        return html_table(repr(self), columns)
 
 
 def plan(

@@ -14,9 +14,10 @@ from pydantic_core import ErrorDetails
 
 from covey.model import InputError
 from covey.model.units import counted
-from covey.scenarios import values
+from covey.scenarios import value_types
+from covey.scenarios.one_or_many import is_single
 from covey.scenarios.strategies import Named
-from covey.scenarios.values import Section
+from covey.scenarios.value_types import Section, ValueType
 
 KeyPath = tuple[str | int, ...]
 """Keys and indices that lead to a value: ("team", "evaders", 2, "speed")."""
@@ -120,9 +121,9 @@ def _text(path: KeyPath, detail: ErrorDetails, layout: _Layout) -> str:
             return f"missing; expected {layout.words(path)}"
         case "value_error":  # of what is read already
             return str(context["error"])
-        case values.WANTED:
+        case value_types.WANTED:
             return wanted_but_got(context["words"], value)
-        case values.UNKNOWN_NAME:
+        case value_types.UNKNOWN_NAME:
             came = "nothing" if value is None else toml_text(value)
             return f"expected {context['words']}, got {came}{did_you_mean(value, context['known'])}"
         case "list_type":
@@ -147,7 +148,7 @@ class _Layout(NamedTuple):
         """Drop the index of a value that stands in the document instead of a list of one."""
         kept: KeyPath = ()
         for key in path:
-            if isinstance(key, str) or not values.is_single(look(self.document, *kept)):
+            if isinstance(key, str) or not is_single(look(self.document, *kept)):
                 kept = (*kept, key)
         return kept
 
@@ -163,7 +164,7 @@ class _Layout(NamedTuple):
     def words(self, path: KeyPath) -> str:
         """Return in words the type of the value at a path."""
         parts = _parts(self._field(path))
-        return next(part.words for part in parts if isinstance(part, values.ValueType))
+        return next(part.words for part in parts if isinstance(part, ValueType))
 
     def tables(self) -> Iterator[tuple[str, type[Section]]]:
         """Return all tables of the file, each with its heading."""

@@ -20,6 +20,7 @@ from covey.kernels.arrays import MOST_IN_GAMES
 from covey.model.team import DEFAULT_TURN_RATE
 from covey.scenarios.about import ANGLE, LENGTH, SPEED, TIME, TURN_RATE, About
 from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Named
+from covey.scenarios.value_types import Section, one_of
 from covey.scenarios.values import (
     AWAY,
     Duration,
@@ -29,10 +30,8 @@ from covey.scenarios.values import (
     Positive,
     Radius,
     Rate,
-    Section,
     UnitName,
     Whole,
-    one_of,
 )
 from covey.simulation.settings import SENSING
 
@@ -78,7 +77,7 @@ class PursuerSection(Section):
     ] = None
     speed: Annotated[Positive, About("Largest speed of the pursuer.", 45, SPEED)] = 1.0
     capture_radius: Annotated[
-        NotNegative, About("The pursuer captures whoever it comes within this of.", 5, LENGTH)
+        NotNegative, About("Distance at which the pursuer captures an evader.", 5, LENGTH)
     ] = 0.0
     strategy: Annotated[
         Any, Named(PURSUERS), About("How the pursuer chooses its next target.", "committed")
@@ -152,7 +151,8 @@ class TeamSection(Section):
         ),
     ] = Field(default_factory=list)
     random: Annotated[
-        RandomSection | None, About("Evaders at random places, in their place.", {"count": 4})
+        RandomSection | None,
+        About("Evaders at random positions, in place of the list.", {"count": 4}),
     ] = None
 
 
@@ -189,6 +189,6 @@ class ScenarioFile(Section):
     team: Annotated[TeamSection, About("The team.", {"speed": 20, "random": {"count": 4}})] = Field(
         default_factory=TeamSection
     )
-    game: Annotated[GameSection, About("How it is played.", {"sensing": "hidden"})] = Field(
+    game: Annotated[GameSection, About("How the game is played.", {"sensing": "hidden"})] = Field(
         default_factory=GameSection
     )

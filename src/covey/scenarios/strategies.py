@@ -19,20 +19,16 @@ from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, cor
 from covey.model import objectives
 from covey.players import names
 from covey.scenarios.about import TIME, About
+from covey.scenarios.value_types import UNKNOWN_NAME, Section, one_of, one_of_words, wanted
 from covey.scenarios.values import (
-    UNKNOWN_NAME,
     AtLeastOne,
     Margin,
     NotNegative,
     Offset,
-    Section,
     Sequence,
     Sequences,
     Weights,
     Whole,
-    one_of,
-    one_of_words,
-    wanted,
 )
 
 
@@ -53,7 +49,7 @@ class Entry:
         return create_model(name, __base__=Section, **{"name": (Literal[name], ...), **keys})
 
 
-_PARAMETERS: Mapping[str, Any] = {
+PARAMETERS: Mapping[str, Any] = {
     "starts": Annotated[AtLeastOne, About("Starts of the search for the first plan.", 32)],
     "restarts": Annotated[Whole, About("Starts of a later search, beside the plan flown.", 8)],
     "depth": Annotated[Whole, About("How many captures are answered; by default all.", 1)],
@@ -87,7 +83,7 @@ _PARAMETERS: Mapping[str, Any] = {
 
 def _entries(known: Mapping[str, Callable[..., Any]]) -> dict[str, Entry]:
     return {
-        name: Entry(make, {key: _PARAMETERS[key] for key in signature(make).parameters})
+        name: Entry(make, {key: PARAMETERS[key] for key in signature(make).parameters})
         for name, make in known.items()
     }
 

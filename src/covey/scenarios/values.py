@@ -1,144 +1,15 @@
-"""The values that stand in scenario and study files: numbers with a range, angles, points, words.
-
-Each type of value says in words what is wanted, so that every mistake is answered in the same way.
-"""
+"""The values that stand in scenario and study files: numbers with a range, angles, points."""
 
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
-from typing import Annotated, Any, Literal, Self, TypeVar
-
-from pydantic import (
-    AfterValidator,
-    BaseModel,
-    BeforeValidator,
-    ConfigDict,
-    GetCoreSchemaHandler,
-    GetJsonSchemaHandler,
-    ValidationError,
-)
-from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
+from collections.abc import Callable
+from typing import Annotated, Any
 
 from covey.kernels.arrays import MOST_IN_GAMES
-from covey.model import InputError
 from covey.model.validation import LARGEST, is_unit_name
-
-WANTED = "wanted"
-"""Type of the error of a value; its context gives `words`, what was wanted."""
-UNKNOWN_NAME = "unknown_name"
-"""Type of the error of a name; its context gives the names `known` too."""
-
-
-class Section(BaseModel):
-    """A table of a file; unknown keys are mistakes."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-
-def wanted(words: str) -> PydanticCustomError:
-    """Return the error of a value that isn't what was wanted."""
-    # Braces in the message itself would be taken for a place in a template.
-    return PydanticCustomError(WANTED, "{words}", {"words": words})
-
-
-def one_of_words(allowed: Iterable[str]) -> str:
-    """Return in words that one of these names is wanted."""
-    return "one of " + ", ".join(f'"{name}"' for name in allowed)
-
-
-@dataclass(frozen=True, eq=False)
-class ValueType:
-    """A type of value: in words, and a function that reads a value or returns None.
-
-    `written` is what may stand in the file where that is more than the values read. `limits` are
-    the words in JSON schema, as far as they can be said there.
-    """
-
-    words: str
-    read: Callable[[Any], object | None]
-    written: Any = None
-    limits: Mapping[str, Any] = field(default_factory=dict)
-
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> CoreSchema:
-        """Make pydantic read values of this type with `read` alone."""
-        written = handler.generate_schema(self.written or source)
-        return core_schema.no_info_plain_validator_function(
-            self._check, json_schema_input_schema=written
-        )
-
-    def __get_pydantic_json_schema__(
-        self, schema: CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
-        """Describe the type in words too."""
-        return {**handler(schema), **self.limits, "description": self.words}
-
-    def _check(self, value: Any) -> object:
-        plain = value.item() if getattr(value, "ndim", None) == 0 else value  # a NumPy number
-        result = self.read(plain)
-        if result is None:
-            raise wanted(_SIZE if _is_too_large(plain) else self.words)
-        return result
-
-
-_SIZE = f"a number of at most {LARGEST:g} in size"
-
-
-def _is_too_large(value: object) -> bool:
-    return isinstance(value, int | float) and LARGEST < abs(value) < math.inf
-
-
-def is_single(value: object) -> bool:
-    """Tell a single value from a list of values."""
-    return isinstance(value, str | Mapping) or not isinstance(value, Iterable)
-
-
-def _as_several(value: Any) -> tuple[Any, ...]:
-    values = (value,) if is_single(value) else tuple(value)
-    if not values:
-        raise wanted("a value or a list of values")
-    return values
-
-
-def _require_different(values: tuple[Any, ...]) -> tuple[Any, ...]:
-    twice = [index for index, value in enumerate(values) if value in values[:index]]
-    if twice:
-        error = {"error": InputError("given twice")}
-        details = [
-            InitErrorDetails(type="value_error", loc=(index,), input=values[index], ctx=error)
-            for index in twice
-        ]
-        raise ValidationError.from_exception_data("list", details)
-    return values
-
-
-class _SingleToo:
-    """Lets the JSON schema of a list accept one value instead."""
-
-    def __get_pydantic_json_schema__(
-        self, schema: CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
-        several = handler(schema)
-        words = several["items"].get("description", "a value")
-        return {
-            "anyOf": [several["items"], {**several, "minItems": 1, "uniqueItems": True}],
-            "description": f"{words}; or a list of different ones",
-        }
-
-
-_Value = TypeVar("_Value")
-
-OneOrMany = Annotated[
-    tuple[_Value, ...],
-    BeforeValidator(_as_several),
-    AfterValidator(_require_different),
-    _SingleToo(),
-]
-"""One value, or a list of different ones."""
+from covey.scenarios.angles import ANGLE_PATTERNS, Angle, radians_of
+from covey.scenarios.value_types import ValueType
 
 
 def as_number(value: object) -> float | None:
@@ -151,58 +22,14 @@ def as_number(value: object) -> float | None:
         return None
 
 
-_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
-_DEGREES = re.compile(rf"\s*({_NUMBER})\s*(?:deg|degrees|°)\s*")
-_OF_PI = re.compile(rf"\s*({_NUMBER}|[+-]?)\s*\*?\s*(?:pi|π)\s*(?:/\s*({_NUMBER}))?\s*")
-
-
-_LONGEST_ANGLE = 60
-
-
-class Angle(float):
-    """Radians that were given as a text, which is shown again in their place."""
-
-    def __new__(cls, radians: float, text: str) -> Self:
-        """Make a number that keeps its text."""
-        angle = super().__new__(cls, radians)
-        angle.text = text
-        return angle
-
-    text: str
-
-    def __reduce__(self) -> tuple[type[Angle], tuple[float, str]]:
-        """Return what a copy is made of, in another process too."""
-        return Angle, (float(self), self.text)
-
-    def __str__(self) -> str:
-        """Return the text."""
-        return self.text
-
-    def __repr__(self) -> str:
-        """Return the text as Python writes it, from which the same angle is read."""
-        return repr(self.text)
-
-
 def as_angle(value: object) -> float | None:
     """Return radians for a number, "90 deg", "pi", "-pi/2" or "3 pi / 4"; None for all else."""
     if isinstance(value, Angle):
         return value
     if not isinstance(value, str):
         return as_number(value)
-    radians = _radians(value)
+    radians = radians_of(value)
     return None if radians is None else Angle(radians, value)
-
-
-def _radians(text: str) -> float | None:
-    if len(text) > _LONGEST_ANGLE:  # a search for digits in it might take for ever
-        return None
-    if degrees := _DEGREES.fullmatch(text):
-        return math.radians(float(degrees[1]))
-    if share := _OF_PI.fullmatch(text):
-        factor = float(share[1] + "1" if share[1] in {"", "+", "-"} else share[1])
-        divisor = float(share[2] or 1)
-        return factor * math.pi / divisor if divisor else None
-    return None
 
 
 AWAY = "away"
@@ -277,20 +104,11 @@ def _offset(value: object) -> tuple[float, float] | None:
     return point if point is not None and math.hypot(*point) <= 1.0 else None
 
 
-def one_of(*allowed: str) -> ValueType:
-    """Return the type of value that is one of these words."""
-    return ValueType(
-        one_of_words(allowed),
-        lambda value: value if value in allowed else None,
-        written=Literal[allowed],
-    )
-
-
 _ANGLE = 'radians, or a string such as "90 deg" or "pi/2"'
 
 # The same in JSON schema, which knows no nan.
 _NUMBERS = {"type": "number", "minimum": -LARGEST, "maximum": LARGEST}
-_ANGLES = [{"type": "string", "pattern": f"^(?:{each.pattern})$"} for each in (_DEGREES, _OF_PI)]
+_ANGLES = [{"type": "string", "pattern": pattern} for pattern in ANGLE_PATTERNS]
 _AT_LEAST_0, _ABOVE_0 = {"minimum": 0}, {"exclusiveMinimum": 0}
 _EVADER = {"type": "integer", "minimum": 0}
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -46,14 +46,12 @@ class Watched:
 
         def decide(situation: Situation) -> Any:
             decision = self._decided(policy, situation)
-            check = _check_turns if self._role == "evaders" else _check_move
+            check, advice = _RULES[self._role]
             try:
                 check(decision, situation)
             except InputError as error:
-                raise InputError(
-                    f"{self._role}: {error}; {_ADVICE[check](decision, situation)}"
-                ) from error
-            self.decisions.append(np.array(decision) if check is _check_turns else decision)
+                raise InputError(f"{self._role}: {error}; {advice(decision, situation)}") from error
+            self.decisions.append(np.array(decision) if self._role == "evaders" else decision)
             return decision
 
         decide.in_any_frame = getattr(policy, "in_any_frame", False)  # type: ignore[attr-defined]
@@ -123,7 +121,8 @@ def _advice_on_move(decision: Any, situation: Situation) -> str:
     return "return covey.Chase((i, ...)) to chase evader i, or covey.Fly((vx, vy))"
 
 
-_ADVICE: dict[Callable[[Any, Situation], None], Callable[[Any, Situation], str]] = {
-    _check_turns: _advice_on_turns,
-    _check_move: _advice_on_move,
+_RULES: Mapping[str, tuple[Callable[[Any, Situation], None], Callable[[Any, Situation], str]]] = {
+    "evaders": (_check_turns, _advice_on_turns),
+    "pursuer": (_check_move, _advice_on_move),
 }
+"""What checks a decision of each side, and says what to do about one that breaks the rules."""

@@ -40,6 +40,6 @@ def chase(
         )
     if not 0 <= port < 2**16:
         raise covey.InputError(f"--port: expected a whole number from 0 to 65535, got {port}")
-    from covey.web.server import serve  # only now, as it imports what may be missing
+    from covey.web.serving.server import serve  # only now, as it imports what may be missing
 
     serve(host, port, open_browser=browser)

@@ -134,14 +134,8 @@ def _study(name: str, folder: Path, starts: int | None, workers: int | None) -> 
 
 
 def _gains_figure(gains: dict[str, studies.Gains], contingent: studies.Gains) -> Any:
-    panels = {f"{word} pursuer": _curves(each) for word, each in gains.items()}
-    return views.draw_gains(
-        contingent.turn_rates, panels, beside={"hidden pursuer": _curves(contingent)}
-    )
+    from covey.views.charts.study import curves_of  # only now, as it loads matplotlib
 
-
-def _curves(gains: studies.Gains) -> dict[int, views.Curve]:
-    return {
-        size: views.Curve([e.value for e in row], [e.error for e in row])
-        for size, row in gains.ratios.items()
-    }
+    panels = {f"{word} pursuer": curves_of(each) for word, each in gains.items()}
+    beside = {"hidden pursuer": curves_of(contingent)}
+    return views.draw_gains(contingent.turn_rates, panels, beside=beside)

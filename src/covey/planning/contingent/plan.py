@@ -23,12 +23,8 @@ from covey.planning.contingent.delays import DelayedGuarantee, with_delays
 from covey.planning.contingent.moment import Moment, after_capture
 from covey.planning.contingent.search import deeper_and_deeper, problem_of
 from covey.planning.guarantee import about_center, check_game, pursuit_of
-from covey.planning.open_loop import (
-    CRITICAL_WITHIN,
-    PLAN_STATUS,
-    PlanStatus,
-    plan,
-)
+from covey.planning.open_loop import plan
+from covey.planning.open_loop_plan import CRITICAL_WITHIN, PLAN_STATUS, PlanStatus
 from covey.planning.workspace import workspace
 
 MOST_TURNS = 20_000

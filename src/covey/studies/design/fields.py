@@ -9,22 +9,20 @@ from pydantic import Field, ValidationError, create_model
 
 from covey.scenarios.about import LENGTH, SPEED, TIME, TURN_RATE, About
 from covey.scenarios.mistakes import Mistake, mistakes_of
+from covey.scenarios.one_or_many import OneOrMany
 from covey.scenarios.samplers import HEADINGS, SHAPES, Disk, Formation, Square
-from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Entry, Named
+from covey.scenarios.strategies import EVADERS, OBJECTIVES, PARAMETERS, PURSUERS, Entry, Named
+from covey.scenarios.value_types import Section, one_of
 from covey.scenarios.values import (
     AtLeastOne,
     FileName,
     Flag,
-    Margin,
     NotNegative,
-    OneOrMany,
     Positive,
     Radius,
     Rate,
-    Section,
     TeamSize,
     Whole,
-    one_of,
 )
 from covey.simulation.settings import SENSING
 from covey.studies.design.as_visible import VISIBLE_PURSUERS, AsVisible
@@ -41,9 +39,6 @@ _DISTANCE = Annotated[
     NotNegative, About("Distance of the formation from the pursuer.", 0.5, LENGTH)
 ]
 _PATH = Annotated[FileName, About("Table of starts, as CSV or Parquet.", "starts.csv")]
-_MARGIN = Annotated[
-    Margin, About("By which share another sequence must be better to be taken.", 0.05)
-]
 
 SAMPLERS = {
     "square": Entry(Square, {"side": _SIDE, "headings": _HEADINGS}),
@@ -56,7 +51,7 @@ _VISIBLE_PURSUER = Annotated[
 ]
 STUDY_PURSUERS = {
     **PURSUERS,
-    "as-visible": Entry(AsVisible, {"margin": _MARGIN, "pursuer": _VISIBLE_PURSUER}),
+    "as-visible": Entry(AsVisible, {"margin": PARAMETERS["margin"], "pursuer": _VISIBLE_PURSUER}),
 }
 
 _TYPES: dict[str, Any] = {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import product
 from string import ascii_lowercase
 from textwrap import fill
 from typing import NamedTuple
@@ -14,7 +15,7 @@ from matplotlib.ticker import MaxNLocator
 
 from covey.model import InputError
 from covey.views.kit import style
-from covey.views.kit.page import new_page, sheet_of
+from covey.views.kit.page import Page, Sheet, new_page, sheet_of
 from covey.views.kit.style import styled
 
 _STRIP = 0.27
@@ -84,42 +85,53 @@ def draw_comparison(
         list(dict.fromkeys(getattr(ratio, part) for ratio in ratios))
         for part in ("row", "column", "strip", "size")
     )
-    left = _LETTER * (max(map(len, strips)) + 2)
-    bottom, gap, between, top = 0.38, 0.08, 0.5, 0.48
     sheet = sheet_of(ax, title, width)
-    across = (sheet.width - left - 0.08 - (len(columns) - 1) * gap) / len(columns)
-    height = _STRIP * len(strips)
-    whole = bottom + len(rows) * height + (len(rows) - 1) * between + top
-    page = new_page(sheet, whole)
-    panels = []
-    low, high = _limits(ratios, reference)
-    for i, row in enumerate(rows):
-        for j, column in enumerate(columns):
-            up = bottom + (len(rows) - 1 - i) * (height + between)
-            axes = page.panel(left + j * (across + gap), up, across, height)
-            panels.append(axes)
-            chosen = [ratio for ratio in ratios if (ratio.row, ratio.column) == (row, column)]
-            _draw_panel(axes, chosen, strips, sizes)
-            if reference is not None:
-                axes.axvline(reference, **style.GUIDE)
-            axes.set_xlim(low, high)
-            name = fill(column, max(1, int(across / _LETTER)), break_long_words=False)
-            axes.set_title(name, pad=3, fontsize=style.SMALL_TEXT_SIZE)
-            if j == 0:
-                axes.set_yticks(range(len(strips)), strips)
-                axes.annotate(
-                    f"({ascii_lowercase[i]})  {row}",
-                    (0.0, 1.0),
-                    xytext=(-72.0 * left, 15.0),
-                    xycoords="axes fraction",
-                    textcoords="offset points",
-                )
-            if i < len(rows) - 1:
-                axes.tick_params(labelbottom=False)
-    handles, names = panels[0].get_legend_handles_labels()
+    left = _LETTER * (max(map(len, strips)) + 2)
+    page, panels = _add_panels(sheet, rows, columns, left, _STRIP * len(strips))
+    limits = _limits(ratios, reference)
+    for (row, column), axes in panels.items():
+        chosen = [ratio for ratio in ratios if (ratio.row, ratio.column) == (row, column)]
+        _draw_panel(axes, chosen, strips, sizes)
+        if reference is not None:
+            axes.axvline(reference, **style.GUIDE)
+        axes.set_xlim(limits)
+        axes.tick_params(labelbottom=row == rows[-1])
+    for letter, row in zip(ascii_lowercase, rows, strict=False):
+        first = panels[row, columns[0]]
+        first.set_yticks(range(len(strips)), strips)
+        _name_row(first, f"({letter})  {row}", left)
+    handles, names = panels[rows[0], columns[0]].get_legend_handles_labels()
     page.legend(handles, names, loc="upper right", ncols=len(sizes), borderaxespad=0.2)
     page.text(0.5 * sheet.width, 0.04, label, ha="center", va="bottom", fontsize=style.TEXT_SIZE)
     return page.figure
+
+
+def _add_panels(
+    sheet: Sheet, rows: Sequence[str], columns: Sequence[str], left: float, height: float
+) -> tuple[Page, dict[tuple[str, str], Axes]]:
+    """Return a page with a panel for each row and column, of this height, `left` of it free."""
+    bottom, gap, between, top = 0.38, 0.08, 0.5, 0.48
+    width = (sheet.width - left - 0.08 - (len(columns) - 1) * gap) / len(columns)
+    page = new_page(sheet, bottom + len(rows) * height + (len(rows) - 1) * between + top)
+    panels = {}
+    for (i, row), (j, column) in product(enumerate(rows), enumerate(columns)):
+        up = bottom + (len(rows) - 1 - i) * (height + between)
+        axes = page.panel(left + j * (width + gap), up, width, height)
+        name = fill(column, max(1, int(width / _LETTER)), break_long_words=False)
+        axes.set_title(name, pad=3, fontsize=style.SMALL_TEXT_SIZE)
+        panels[row, column] = axes
+    return page, panels
+
+
+def _name_row(axes: Axes, name: str, left: float) -> None:
+    """Write the name of a row over the strips of its first panel, `left` inches from it."""
+    axes.annotate(
+        name,
+        (0.0, 1.0),
+        xytext=(-72.0 * left, 15.0),
+        xycoords="axes fraction",
+        textcoords="offset points",
+    )
 
 
 def _limits(ratios: Sequence[Ratio], reference: float | None) -> tuple[float, float]:

@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from covey.model import InputError
 from covey.studies import (
     Comparison,
+    Gains,
     StudyResult,
     comparison,
     summary,
@@ -100,14 +101,16 @@ def _compared(compared: Comparison, result: StudyResult) -> list[Ratio]:
 
 def _draw_gains(result: StudyResult, sheet: dict[str, Any]) -> Figure:
     gains = turn_rate_gains(result)
-    panels = {
-        f"{word} pursuer": {
-            size: Curve([e.value for e in row], [e.error for e in row])
-            for size, row in each.ratios.items()
-        }
-        for word, each in gains.items()
-    }
+    panels = {f"{word} pursuer": curves_of(each) for word, each in gains.items()}
     return draw_gains(next(iter(gains.values())).turn_rates, panels, **sheet)
+
+
+def curves_of(gains: Gains) -> dict[int, Curve]:
+    """Return the curve of each team size, as `draw_gains` takes them."""
+    return {
+        size: Curve([each.value for each in row], [each.error for each in row])
+        for size, row in gains.ratios.items()
+    }
 
 
 def _means(result: StudyResult) -> Iterator[Ratio]:

@@ -1,33 +1,48 @@
-"""Labels of a game or a plan: the numbers of the evaders, and their captures."""
+"""Labels of a game or a plan: the numbers of the evaders, and who is captured when."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
 
 from covey.model import Team
-from covey.model.validation import Floats
+from covey.model.validation import Floats, Ints
 from covey.views.kit.point_labels import NUMBER, label, number_evaders
 
 
 class Captures(NamedTuple):
-    """Where evaders are captured, (C, 2), and what is written there."""
+    """Captures in their order."""
 
-    points: Floats
-    texts: Sequence[str]
+    points: Floats  # (C, 2)
+    evaders: Ints  # (C,) their numbers
+    times: Floats  # (C,)
+
+
+def number_and_time(evader: int, time: str) -> str:
+    """Write who is captured, and the time with its unit: **3**: t = 12.5 s."""
+    return rf"$\mathbf{{{evader}}}$: $t$ = {time}"
 
 
 def label_captures(
-    axes: Axes, inset: Axes | None, team: Team, captures: Captures, lines: Floats
+    axes: Axes,
+    inset: Axes | None,
+    team: Team,
+    captures: Captures,
+    write: Callable[[float], str],
+    lines: Floats,
 ) -> None:
-    """Write the number of each evader beside its start, and the text of each capture.
+    """Write the number of each evader beside its start, and who is captured when.
 
-    With a close-up, the numbers stand there.
+    With a close-up, the numbers of the starts stand there. `write` writes a time with its unit.
     """
-    points, texts = captures
+    points, evaders, times = captures
+    texts = [
+        number_and_time(i, write(time))
+        for i, time in zip(evaders.tolist(), times.tolist(), strict=True)
+    ]
     numbers = [str(i) for i in range(len(team))]
     if inset:
         number_evaders(inset, team.positions, range(len(team)), lines)

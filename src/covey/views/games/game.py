@@ -30,7 +30,6 @@ from covey.views.kit.markers import (
     pursuer_flying,
 )
 from covey.views.kit.page import sheet_of
-from covey.views.kit.point_labels import number_and_time
 from covey.views.kit.sampling import joined, rim
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
@@ -75,15 +74,12 @@ def draw_game(
     sheet = sheet_of(ax, _outcome(game, write) if title is None else title, width)
     figure, axes = single_map(camera_around(joined(tracks)), sheet, unit)
     disk = rim(game.disk.center, game.disk.radius)
-    texts = [
-        number_and_time(i, write(time))
-        for i, time in zip(game.capture_sequence.tolist(), game.capture_times.tolist(), strict=True)
-    ]
     close = joined([game.team.positions, disk])
     inset = close_up(axes, close, joined(tracks))
     for each in (axes, inset) if inset else (axes,):
         _draw_course(each, game, flown)
-    label_captures(axes, inset, game.team, Captures(points, texts), joined([*tracks, disk]))
+    captures = Captures(points, game.capture_sequence, game.capture_times)
+    label_captures(axes, inset, game.team, captures, write, joined([*tracks, disk]))
     return figure
 
 

@@ -24,7 +24,6 @@ from covey.views.kit.markers import (
     draw_disk,
 )
 from covey.views.kit.page import sheet_of
-from covey.views.kit.point_labels import number_and_time
 from covey.views.kit.sampling import joined, rim, sampled
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
@@ -73,14 +72,10 @@ def draw_plan(
     camera = camera_around(joined([lines, start]))
     figure, axes = single_map(camera, sheet_of(ax, title, width), team.unit)
     inset = close_up(axes, start, lines)
-    texts = [
-        number_and_time(i, write(time))
-        for i, time in zip(expected.evaders.tolist(), expected.times.tolist(), strict=True)
-    ]
     for each in (axes, inset) if inset else (axes,):
         _draw_paths(each, plan, expected)
-    captures = Captures(expected.points, texts)
-    label_captures(axes, inset, team, captures, joined([lines, start]))
+    captures = Captures(expected.points, expected.evaders, expected.times)
+    label_captures(axes, inset, team, captures, write, joined([lines, start]))
     return figure
 
 

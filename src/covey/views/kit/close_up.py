@@ -30,9 +30,10 @@ def fitting_scale(axes: Axes, points: Floats) -> float:
 
 
 def close_up(axes: Axes, points: Floats, drawn: Floats) -> Axes | None:
-    """Add a close-up of `points` (K, 2) in the emptiest corner; None if they are far apart.
+    """Add a close-up of `points` (K, 2) in an empty corner.
 
-    `drawn` (M, 2) are points of all that the map shows.
+    None if no corner is empty, or `points` are far apart. `drawn` (M, 2) are points of all that the
+    map shows.
     """
     camera = camera_around(points, 0.2)
     low, high = axes.get_xlim()
@@ -41,12 +42,14 @@ def close_up(axes: Axes, points: Floats, drawn: Floats) -> Axes | None:
     places = axes.transAxes.inverted().transform(axes.transData.transform(drawn))
     far = 1.0 - _SIDE - _MARGIN
     corners = [(x, y) for x in (_MARGIN, far) for y in (_MARGIN, far)]
-    hidden = [
-        int(((places >= c) & (places <= np.add(c, _SIDE))).all(axis=1).sum()) for c in corners
+    empty = [
+        corner
+        for corner in corners
+        if not ((places >= corner) & (places <= np.add(corner, _SIDE))).all(axis=1).any()
     ]
-    if min(hidden) > 0:
+    if not empty:
         return None
-    inset = axes.inset_axes((*corners[int(np.argmin(hidden))], _SIDE, _SIDE))
+    inset = axes.inset_axes((*empty[0], _SIDE, _SIDE))
     inset.set_zorder(style.TEXT_LAYER)
     set_view(inset, camera, ticks=False)
     axes.indicate_inset_zoom(inset, edgecolor=style.FAINT, linewidth=style.THIN_LINE, alpha=1.0)

@@ -37,11 +37,6 @@ NUMBER: dict[str, Any] = {"color": style.EVADER, "fontweight": "bold"}
 """How the number of an evader looks beside it."""
 
 
-def number_and_time(evader: int, time: str) -> str:
-    """Write whose capture a place is, and its time with its unit: **3**: t = 12.5 s."""
-    return rf"$\mathbf{{{evader}}}$: $t$ = {time}"
-
-
 def label(
     axes: Axes,
     points: Floats,

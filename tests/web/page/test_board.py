@@ -1,0 +1,70 @@
+"""What is on the board and beside it: plans, signs, and everybody in sight."""
+
+from __future__ import annotations
+
+import pytest
+
+from web.browser_pages import CAPTURED, TEAM, colours
+
+
+def test_the_board_shows_what_the_team_plans_and_hides_it_on_demand(open_page):
+    tab = open_page("?start=fig3&sensing=hidden")
+    tab.wait(lambda: "reference" in tab.heard)  # whose mark on the line of time has a colour, too
+    tab.page.wait_for_timeout(500)  # until all is drawn, on a busy machine too
+    _, count = colours(tab)
+    planned, predicted = count(TEAM), count(CAPTURED)
+    tab.page.get_by_role("switch").uncheck()
+    tab.page.wait_for_timeout(500)
+    _, count = colours(tab)
+    assert 0 < count(TEAM) < planned - 200  # the evaders are still there, their plans are not
+    assert count(CAPTURED) < predicted - 50
+
+
+@pytest.mark.parametrize(
+    ("time", "earlier", "shown"),
+    [(5.234, 4.838, "0.39"), (5.225, 4.8449, "0.38"), (3.001, 3.004, "0.00"), (12.5, 0.0, "12.50")],
+)
+def test_a_difference_is_that_of_the_times_that_are_shown(open_page, time, earlier, shown):
+    tab = open_page()
+    code = """async ([time, earlier]) => {
+        const { difference, short } = await import("./timeline.js");
+        return [difference(time, earlier), short(time), short(earlier)];
+    }"""
+    difference, one, other = tab.evaluate(code, [time, earlier])
+    assert difference == shown
+    assert float(difference) == pytest.approx(max(float(one) - float(other), 0.0))
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (1024, 560), (400, 800), (360, 640)])
+@pytest.mark.parametrize("query", ["?start=fig3", "?evaders=10&seed=2", "?evaders=1&seed=1"])
+def test_everybody_is_in_sight_at_the_start(open_page, size, query):
+    tab = open_page(query, viewport={"width": size[0], "height": size[1]})
+    tab.page.wait_for_timeout(100)
+    picture = tab.heard["game"]["picture"]
+    code = """([x, y]) => {
+        const [left, top] = document.getElementById("board").camera.toScreen(x, y);
+        return document.elementFromPoint(left, top)?.id;
+    }"""
+    for x, y, *_ in [*picture["evaders"], picture["pursuer"]]:
+        assert tab.evaluate(code, [x, y]) == "board"
+
+
+def test_a_legend_names_the_signs_that_are_on_the_board(open_page):
+    tab = open_page("?start=fig3&sensing=visible")
+
+    def named():
+        shown = tab.page.get_by_label("Signs on the board").locator("li:visible").all()
+        return [item.inner_text().split("\n")[-1] for item in shown]
+
+    always = ["evader with its number", "you, the pursuer", "captured"]
+    beliefs = ["expected capture", "planned path", "expected pursuit"]
+    assert named() == always + beliefs
+    tab.page.get_by_role("switch").uncheck()
+    assert named() == always
+    hidden = open_page("?start=fig3&sensing=hidden").page.get_by_label("Signs on the board")
+    hidden.get_by_text("where you may be").wait_for()
+
+
+def test_the_legend_leaves_room_on_a_phone(open_page):
+    tab = open_page("?start=fig3", viewport={"width": 400, "height": 800})
+    assert not tab.page.get_by_label("Signs on the board").is_visible()
