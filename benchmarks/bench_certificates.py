@@ -7,10 +7,15 @@ from __future__ import annotations
 
 import pytest
 
-from certificates import measure
+from certificates import measure, warm_up
 
 SIZES, GAMES, LIMIT = (8, 10, 12), 3, 10.0
 """Few and small: the script has a table for larger teams, which takes twenty minutes."""
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _compiled():
+    warm_up()
 
 
 @pytest.mark.parametrize("size", SIZES)

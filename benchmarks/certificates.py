@@ -99,6 +99,11 @@ def _row(size, name, certificates, limit):
     )
 
 
+def warm_up():
+    """Load the kernels, or compile them."""
+    Covey().certify(*game_of(2, 0), 1.0)
+
+
 def main():
     """Print the table of all sizes."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -106,7 +111,7 @@ def main():
     parser.add_argument("--games", type=int, default=5)
     parser.add_argument("--limit", type=float, default=LIMITS[-1])
     options = parser.parse_args()
-    Covey().certify(*game_of(2, 0), 1.0)  # loads the kernels
+    warm_up()
     rows = []
     for size in options.sizes:
         rows += measure(size, options.games, options.limit)

@@ -6,12 +6,15 @@ import csv
 import json
 import sys
 from pathlib import Path
+from statistics import fmean
 
 import pytest
 
 import covey
 from covey.cli import main
 from covey.instances import files
+
+NAMES = ("paper-2", "mixed-3", "mean", "least")
 
 TEAM = """
 import covey
@@ -96,18 +99,35 @@ def test_a_number_that_does_not_hold_is_told_with_the_name_and_status_2(
 
 
 def test_scores_a_strategy_beside_others_and_saves_every_game(capsys):
-    words = ["score", "my_module:MyTeam", "paper-2", "disk-2", "-o", "scores.csv"]
-    assert main([*words, "--beside", "straight-away", "open-loop"]) == 0
+    words = ["score", "my_module:MyTeam", "paper-2", "mixed-3", "-o", "scores.csv"]
+    strategies = ("my_module:MyTeam", "straight-away", "iterative-open-loop")
+    assert main([*words, "--beside", *strategies[1:]]) == 0
     lines = [line.split() for line in capsys.readouterr().out.splitlines()]
-    assert ["game", "my_module:MyTeam", "straight-away", "open-loop"] in lines
-    rows = {line[0]: line[1:] for line in lines if line}
-    for game in ("paper-2", "disk-2", "mean", "least"):
-        assert rows[game][0] == rows[game][1]
-        assert float(rows[game][0]) < 1.0 == float(rows[game][2])
+    assert ["game", *strategies] in lines
+    rows = {line[0]: [*map(float, line[1:])] for line in lines if line and line[0] in NAMES}
+    for own, same, planned in rows.values():
+        assert own == same < 1.0 <= planned
     with Path("scores.csv").open() as file:
         games = list(csv.DictReader(file))
-    assert len(games) == 3 * 2 * 4
-    assert {row["strategy"] for row in games} == {"my_module:MyTeam", "straight-away", "open-loop"}
+    shares = {
+        (game, name): [
+            float(row["share"])
+            for row in games
+            if (row["instance"], row["strategy"]) == (game, name)
+        ]
+        for game in ("paper-2", "mixed-3")
+        for name in strategies
+    }
+    assert all(len(each) == 4 for each in shares.values())
+    assert max(max(each) - min(each) for each in shares.values()) > 0.01
+    for game in ("paper-2", "mixed-3"):
+        least = [min(shares[game, name]) for name in strategies]
+        assert rows[game] == pytest.approx(least, abs=5e-4)
+    assert rows["mean"] == pytest.approx(
+        [fmean(min(shares[game, name]) for game in ("paper-2", "mixed-3")) for name in strategies],
+        abs=5e-4,
+    )
+    assert rows["least"][0] == min(rows["paper-2"][0], rows["mixed-3"][0])
 
 
 def test_plays_the_games_of_a_size_where_none_is_named(capsys):

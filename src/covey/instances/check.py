@@ -75,8 +75,6 @@ def _mistakes_of_guarantee(
             f"plan.survival_time: is {plan.survival_time!r}, but {sequence} captures everybody by "
             f"{found.upper!r}"
         )
-    elif plan.exact and found.time > plan.survival_time * above:
-        yield f"plan.survival_time: is {plan.survival_time!r}, but {found.time!r} is guaranteed"
     elif plan.upper < found.time * below:
         yield f"plan.upper: is {plan.upper!r}, but {found.time!r} is guaranteed"
     elif found.time < plan.survival_time * below:
