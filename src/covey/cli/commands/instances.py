@@ -38,6 +38,8 @@ def instances(
         covey instances circle-6 --json
         covey instances circle-6 paper-5 --check
     """
+    if check and json:
+        raise covey.InputError("--json: leave it out with --check, which prints a line a game")
     chosen = [covey.load_instance(name) for name in names or the_set.instance_names()]
     if check:
         _check(chosen, time_limit)
@@ -59,9 +61,14 @@ def _check(chosen: list[covey.Instance], time_limit: float) -> None:
         with waiting(f"checking {each.name}"):
             found = check(each, time_limit)
         wrong += [f"{each.name}: {mistake}" for mistake in found.mistakes]
-        word = counted(len(found.mistakes), "mistake") if found.mistakes else "every number holds"
-        print("; ".join([f"{each.name}: {word}", *found.undecided]), flush=True)
+        print(f"{each.name}: {_told(*found)}", flush=True)
     if wrong:
         raise covey.InputError(
             "\n  ".join([f"the covey set: {counted(len(wrong), 'mistake')}", *wrong])
         )
+
+
+def _told(mistakes: list[str], undecided: list[str]) -> str:
+    if mistakes:
+        return counted(len(mistakes), "mistake")
+    return "; ".join(["no mistake", *undecided]) if undecided else "every number holds"
