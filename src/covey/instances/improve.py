@@ -27,6 +27,9 @@ from covey.model.angles import wrap_angle
 from covey.model.validation import Floats, checked_array, read_only
 from covey.planning import guaranteed_survival, plan, plan_contingent
 
+_STARTS = 100
+"""Starts of each search: for large teams more than by default, until the time is used up."""
+
 
 def improve(
     name: str, seconds: float, seed: int, *, bounds: bool = False, turns: Floats | None = None
@@ -58,7 +61,7 @@ def _better_plan(
 ) -> KnownPlan:
     until = time.perf_counter() + seconds
     while (left := until - time.perf_counter()) > 0.0:
-        found = plan(team, disk, seed=seed, time_limit=left, warm_start=best.turns)
+        found = plan(team, disk, seed=seed, starts=_STARTS, time_limit=left, warm_start=best.turns)
         if found.survival_time > best.survival_time:
             best = max(_with_guarantee(team, disk, found.turns, seconds), best, key=_worth)
         seed += 1
