@@ -142,7 +142,7 @@ def test_plays_the_games_of_a_size_where_none_is_named(capsys):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("instances circle-31", 'lists all 71; did you mean "circle-30"?'),
+        ("instances circle-31", '; did you mean "circle-30"?'),
         ("instances paper-2 --check --time-limit -1", "time_limit: expected a finite number >= 0"),
         ("instances paper-2 --check --json", "--json: leave it out with --check"),
         ("score my_module:flee circle-31", 'did you mean "circle-30"?'),

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
 import tomllib
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -13,7 +15,7 @@ import covey
 from covey.bounds import solve_two_evaders
 from covey.instances import instance_names, instance_path
 from covey.instances.files import values_path
-from covey.instances.generate import games
+from covey.instances.generate import FAMILIES, games
 from covey.instances.load import load_state
 from covey.instances.text import game_text, values_text
 from covey.kernels.arrays import MOST_EVADERS, MOST_IN_GAMES
@@ -26,6 +28,14 @@ NAMES = instance_names()
 def test_every_game_has_a_file_of_its_state_and_one_of_values():
     assert set(NAMES) == set(GENERATED)
     assert {path.stem for path in values_path("any").parent.iterdir()} == set(NAMES)
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/how-to/covey-set.md"])
+def test_the_pages_tell_how_many_games_there_are_and_each_family(page):
+    text = " ".join((Path(__file__).parents[2] / page).read_text("utf-8").split())
+    assert f"has {len(NAMES)} games of 2 to 50 evaders" in text
+    if "covey-set" in page:
+        assert set(re.findall(r"`([a-z-]+)-\*`", text)) == set(FAMILIES)
 
 
 def test_sizes_go_from_two_to_the_most_evaders_that_a_guarantee_takes():
