@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -35,9 +35,12 @@ def _in_square(n: int, kind: int = 0) -> Floats:
     return np.random.default_rng((kind, n)).uniform(-0.5, 0.5, (n, 2))
 
 
-def _away(positions: Floats, disk: PursuerDisk | None = None, **numbers: object) -> _Game:
-    disk = PursuerDisk() if disk is None else disk
-    return Team(positions, disk.headings_away(positions), **numbers), disk  # type: ignore[arg-type]
+def _away(
+    positions: Floats,
+    disk: PursuerDisk = PursuerDisk(),  # noqa: B008 frozen
+    **numbers: Any,
+) -> _Game:
+    return Team(positions, disk.headings_away(positions), **numbers), disk
 
 
 def _paper(n: int) -> _Game:
