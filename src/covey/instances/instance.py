@@ -75,7 +75,7 @@ class KnownBracket(Value):
     Examples
     --------
     >>> import covey
-    >>> bracket = covey.load_instance("paper-3").bracket
+    >>> bracket = covey.load_instance("paper-5").bracket
     >>> bracket.lower <= bracket.upper
     True
     """
