@@ -139,6 +139,14 @@ def test_plays_the_games_of_a_size_where_none_is_named(capsys):
     }
 
 
+def test_names_are_told_in_full_where_they_do_not_fit_in_a_line(capsys):
+    beside = ["iterative-open-loop", "straight-away", "hold-course", "smallest-danger"]
+    assert main(["score", "my_module:MyTeam", "paper-2", "--beside", *beside]) == 0
+    text = capsys.readouterr().out
+    assert "paper-2" in text
+    assert "…" not in text
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -157,6 +165,7 @@ def test_plays_the_games_of_a_size_where_none_is_named(capsys):
         ("score my_module:too_few", "my_module:too_few: evaders: "),
         ("score my_module:flee --beside nobody", "evaders: expected one of open-loop"),
         ("score my_module:flee --evaders 1", "evaders: expected a whole number >= 2"),
+        ("score my_module:flee pairs-6", "pairs-6: my_module:flee: positions: expected none at"),
         ("score my_module:flee -o scores.txt", "expected a name that ends in .csv"),
     ],
 )

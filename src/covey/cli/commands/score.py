@@ -101,6 +101,9 @@ def _play(
     with counting("playing", len(chosen) * len(strategies)) as played:
         for game in chosen:
             for name, strategy in strategies.items():
-                scores[name] += instances.score(game, strategy, seed=seed)
+                try:
+                    scores[name] += instances.score(game, strategy, seed=seed)
+                except covey.InputError as error:
+                    raise covey.InputError(f"{game.name}: {name}: {error}") from error
                 played()
     return scores

@@ -61,6 +61,8 @@ def print_scores(scores: dict[str, list[instances.Score]]) -> None:
     least = {name: _least_shares(each) for name, each in scores.items()}
     table = new_table("game", *least)
     table.columns[0].justify = "left"
+    for column in table.columns[1:]:  # where the heads are too wide, they take several lines
+        column.no_wrap, column.overflow = False, "fold"
     for game in next(iter(least.values())):
         table.add_row(game, *(f"{shares[game]:.3f}" for shares in least.values()))
     table.add_section()
