@@ -39,7 +39,7 @@ WORK = {
     "reproduce": "covey.scenarios.Scenario.simulate",
     "yardstick": "covey.studies.analysis.yardstick.measure",
     "instances": "covey.instances.check.check",
-    "score": "covey.instances.score",
+    "score": "covey.cli.commands.score.counting",
     "chase": "covey.web.serving.server.serve",
     "warmup": "covey.cli.commands.warmup.load_library",
 }
