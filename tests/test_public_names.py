@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import covey
-from covey import scenarios, studies, views
+from covey import instances, scenarios, studies, views
 
 
 @pytest.mark.parametrize("name", covey.__all__)
@@ -30,7 +30,7 @@ def test_an_unknown_name_is_an_attribute_error():
         covey.plam  # noqa: B018 the look-up is the test
 
 
-@pytest.mark.parametrize("package", [covey, scenarios, studies, views])
+@pytest.mark.parametrize("package", [covey, instances, scenarios, studies, views])
 def test_the_stub_the_rooms_and_what_is_loaded_agree(package):
     stub = ast.parse(Path(package.__file__).with_suffix(".pyi").read_text())
     imports = [each for each in stub.body if isinstance(each, ast.ImportFrom)]

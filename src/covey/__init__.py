@@ -25,7 +25,7 @@ def __getattr__(name: str) -> object:
         from importlib.metadata import version  # takes longer than everything else here
 
         return version("covey")
-    if name in ("envs", "testing", "views"):  # rooms with public names of their own
+    if name in ("envs", "instances", "testing", "views"):  # rooms with public names of their own
         return import_module(f"covey.{name}")
     if name == "PatientPursuer":  # for one release
         note = "covey.PatientPursuer is now called covey.UncommittedPursuer"

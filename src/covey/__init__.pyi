@@ -7,6 +7,8 @@ from .bounds import Bracket as Bracket
 from .bounds import SequencePlan as SequencePlan
 from .bounds import bracket as bracket
 from .bounds import plan_for_sequence as plan_for_sequence
+from .instances import Instance as Instance
+from .instances import load_instance as load_instance
 from .model import ExpectedSurvival as ExpectedSurvival
 from .model import InputError as InputError
 from .model import LastCapture as LastCapture

@@ -7,6 +7,7 @@ import pytest
 
 import covey
 from kernels import kernel_calls, reference_game
+from peers.didp import Didp
 from peers.enumeration import Sequences, times_and_gradients
 from peers.ipopt import Ipopt
 from peers.peer import SAME
@@ -50,3 +51,26 @@ def test_from_near_a_maximum_they_come_to_it(peer, options):
             gains.append(found / plan.survival_time - 1.0)
     assert max(gains) <= SAME
     assert np.mean(np.abs(gains) <= SAME) >= (0.7 if peer is Ipopt else 1.0)
+
+
+@pytest.mark.parametrize("options", OPTIONS, ids=str)
+@pytest.mark.parametrize("count", [1, 2, 7, 9])
+def test_didppy_finds_the_minimum_over_all_sequences_of_straight_flight(count, options):
+    generator = np.random.default_rng([count, len(options)])
+    team, disk = random_game(generator, count, **options)
+    found = Didp().certify(team, disk, 60.0)
+    assert found.exact
+    assert found.lower == pytest.approx(found.upper, rel=1e-12)
+    ours = covey.guaranteed_survival(team, disk, np.zeros(count))
+    assert found.upper == pytest.approx(ours.time, rel=1e-12)
+
+
+def test_the_minimum_of_fourteen_evaders_in_straight_flight_is_that_of_didppy():
+    generator = np.random.default_rng((14, 1))
+    positions = generator.uniform(-0.5, 0.5, (14, 2))
+    disk = covey.PursuerDisk()
+    team = covey.Team(positions, disk.headings_away(positions))
+    found = Didp().certify(team, disk, 120.0)
+    assert found.exact
+    ours = covey.guaranteed_survival(team, disk, np.zeros(14))
+    assert ours.time == pytest.approx(found.upper, rel=1e-12)

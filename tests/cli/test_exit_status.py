@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import pytest
 
 import covey
@@ -20,6 +22,8 @@ WORDS = {
     "study": "study tiny.toml --workers 1 -o tiny",
     "reproduce": "reproduce --starts 2 --workers 1 -o paper",
     "yardstick": "yardstick --pairs 1 --cells 64 -o measured",
+    "instances": "instances paper-2 --check",
+    "score": "score my_team:flee paper-2 --beside hold-course",
     "chase": "chase --no-browser --port 0",
     "warmup": "warmup",
 }
@@ -34,6 +38,8 @@ WORK = {
     "study": "covey.studies.running.run.Scheduler.run",
     "reproduce": "covey.scenarios.Scenario.simulate",
     "yardstick": "covey.studies.analysis.yardstick.measure",
+    "instances": "covey.instances.check.check",
+    "score": "covey.cli.commands.score.counting",
     "chase": "covey.web.serving.server.serve",
     "warmup": "covey.cli.commands.warmup.load_library",
 }
@@ -44,8 +50,10 @@ EACH = pytest.mark.parametrize("command", COMMANDS)
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
-    """A working folder with a scenario, a record and a study."""
+    """A working folder with a scenario, a record, a study and a module."""
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    (tmp_path / "my_team.py").write_text("def flee(situation):\n    return situation.turns\n")
     (tmp_path / "one.toml").write_text("[[team.evaders]]\nposition = [0.3, 0.4]\n")
     (tmp_path / "tiny.toml").write_text("starts = 2\n[grid]\nteam_size = 1\nupdate_time = 0.2\n")
     game = covey.simulate(covey.Team([[0.3, 0.4]], [0.9]), covey.PursuerDisk(), update_time=0.5)

@@ -34,7 +34,15 @@ def loaded(statement, modules):
 
 
 @pytest.mark.parametrize(
-    "room", ["covey", "covey.model.units", "covey.scenarios", "covey.studies", "covey.views"]
+    "room",
+    [
+        "covey",
+        "covey.model.units",
+        "covey.scenarios",
+        "covey.instances",
+        "covey.studies",
+        "covey.views",
+    ],
 )
 def test_a_room_of_public_names_loads_nothing_heavy(room):
     assert loaded(f"import {room}", HEAVY) == []

@@ -9,16 +9,21 @@ import sys
 
 import pytest
 
-PLAN = [sys.executable, "-m", "covey", "plan", "fig3", "--json"]
+COVEY = [sys.executable, "-m", "covey"]
+PLAN = [*COVEY, "plan", "fig3", "--json"]
+SCORE = [*COVEY, "score", "covey:StraightAway", "paper-2", "--beside", "hold-course"]
 
 
-def test_a_terminal_shows_that_something_is_going_on():
+@pytest.mark.parametrize(
+    ("command", "said"), [(PLAN, b"planning"), (SCORE, b"playing")], ids=["plan", "score"]
+)
+def test_a_terminal_shows_that_something_is_going_on(command, said):
     pty = pytest.importorskip("pty")
     reader, terminal = pty.openpty()
     environment = {**os.environ, "TERM": "xterm"}
     shown = b""
     with subprocess.Popen(
-        PLAN, stdout=subprocess.DEVNULL, stderr=terminal, env=environment
+        command, stdout=subprocess.DEVNULL, stderr=terminal, env=environment
     ) as running:
         os.close(terminal)
         with contextlib.suppress(OSError):  # so Linux tells that nobody writes any more
@@ -26,7 +31,7 @@ def test_a_terminal_shows_that_something_is_going_on():
                 shown += chunk
     os.close(reader)
     assert running.returncode == 0
-    assert b"planning" in shown
+    assert said in shown
 
 
 def test_nothing_else_sees_it():

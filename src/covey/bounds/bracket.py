@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import NamedTuple
 
 from covey.bounds.next_capture import next_capture_bound
 from covey.bounds.upper_end import earliest_end
@@ -31,6 +33,15 @@ class UpperEndKind(StrEnum):
     AGILE = "announced sequence, against evaders that turn at once"
     TURN_LIMITS = "announced sequence, against evaders with their turn rates"
     NEXT_CAPTURE = "announced next capture, against evaders that turn at once"
+
+
+class UpperBound(NamedTuple):
+    """A time by which a pursuer has captured everybody, whatever the team does; see `Bracket`."""
+
+    time: float
+    by: UpperEndKind
+    sequence: tuple[int, ...]
+    start: Floats  # (2,)
 
 
 @dataclass(frozen=True, eq=False)
@@ -162,34 +173,40 @@ def bracket(
     3.378 to 3.382
     """
     found = plan(team, disk, seed=seed, starts=starts)
-    depth = _depth(len(team)) if depth is None else depth
+    depth = default_depth(len(team)) if depth is None else depth
     tree = plan_contingent(team, disk, depth, seed=seed) if depth != 0 else None
     lower, lower_by = found.survival_time, LowerEnd.OPEN_LOOP
     if tree is not None and tree.with_delays.survival_time > lower:
         lower, lower_by = tree.with_delays.survival_time, LowerEnd.CONTINGENT
-    center = disk.center
-    team, disk = about_center(team, disk)
-    end = earliest_end(team, disk, known=found.critical_sequences[:2])
-    upper, sequence = end.time, end.sequence
-    upper_by = UpperEndKind.TURN_LIMITS if end.needs_limits else UpperEndKind.AGILE
-    start = PursuerDisk(end.start, 0.0, disk.speed, disk.capture_radius)
-    by_next = next_capture_bound(team, start, upper)
-    if by_next is not None:
-        order = by_next.orders[int(by_next.weights.argmax())]
-        upper, sequence = by_next.time, (by_next.first, *order)
-        upper_by = UpperEndKind.NEXT_CAPTURE
+    end = upper_bound(team, disk, found.critical_sequences[:2])
     return Bracket(
         lower=lower,
         lower_by=lower_by,
-        upper=upper,
-        upper_by=upper_by,
+        upper=end.time,
+        upper_by=end.by,
         plan=found,
         contingent=tree,
-        sequence=sequence,
-        start=read_only(center + end.start),
+        sequence=end.sequence,
+        start=end.start,
     )
 
 
-def _depth(n: int) -> int:
+def upper_bound(team: Team, disk: PursuerDisk, known: Iterable[tuple[int, ...]] = ()) -> UpperBound:
+    """Return the earliest of the three upper ends; the search also compares `known` sequences."""
+    center = disk.center
+    team, disk = about_center(team, disk)
+    end = earliest_end(team, disk, known=known)
+    start = PursuerDisk(end.start, 0.0, disk.speed, disk.capture_radius)
+    by_next = next_capture_bound(team, start, end.time)
+    place = read_only(center + end.start)
+    if by_next is not None:
+        order = by_next.orders[int(by_next.weights.argmax())]
+        sequence = (by_next.first, *order)
+        return UpperBound(by_next.time, UpperEndKind.NEXT_CAPTURE, sequence, place)
+    by = UpperEndKind.TURN_LIMITS if end.needs_limits else UpperEndKind.AGILE
+    return UpperBound(end.time, by, end.sequence, place)
+
+
+def default_depth(n: int) -> int:
     """Return how many captures are answered by default."""
     return n - 1 if n <= 5 else _DEPTHS.get(n, 0)

@@ -53,6 +53,8 @@ COMMANDS = (
     "study",
     "reproduce",
     "yardstick",
+    "instances",
+    "score",
     "chase",
     "warmup",
 )

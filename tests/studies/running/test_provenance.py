@@ -16,7 +16,7 @@ from covey.studies.running.provenance import code_digest, digest_of
 from studies.small_studies import files
 
 PACKAGE = Path(covey.__file__).parent
-WITHOUT_GAMES = {"views", "envs", "web", "cli", "testing"}
+WITHOUT_GAMES = {"views", "envs", "web", "cli", "testing", "instances"}
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""`covey show`: the text of a scenario or study that comes with covey."""
+"""`covey show`: the text of a scenario, study or game that comes with covey."""
 
 from __future__ import annotations
 
@@ -7,16 +7,18 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from covey import scenarios, studies
+from covey import instances, scenarios, studies
 
 
 def show(
     name: Annotated[
-        str, Parameter(name="NAME", help="Name of a scenario or study that comes with covey.")
+        str, Parameter(name="NAME", help="Name of a scenario, a study or a game of the covey set.")
     ],
     /,
 ) -> None:
     """Print a scenario or study that comes with covey, to be read or copied.
+
+    A game of the covey set is a scenario too; `covey instances` lists the set.
 
     Try:
 
@@ -29,4 +31,8 @@ def show(
         for room in (scenarios, studies)
         for each in room.example_names()
     }
-    sys.stdout.write(files[choice("NAME", name, list(files))].read_text(encoding="utf-8"))
+    if name in instances.instance_names():
+        path = instances.instance_path(name)
+    else:
+        path = files[choice("NAME", name, list(files))]
+    sys.stdout.write(path.read_text(encoding="utf-8"))
