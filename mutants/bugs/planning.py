@@ -6,8 +6,8 @@ BUGS = (
     Bug(
         "critical sequences unsorted",
         "planning/open_loop.py",
-        "for each, sequence, weight in sorted(rows) if each <= latest]",
-        "for each, sequence, weight in rows if each <= latest]",
+        "rows = sorted(\n        zip(",
+        "rows = list(\n        zip(",
         "the first critical sequence isn't the worst; pictures show a wrong capture order",
     ),
     Bug(

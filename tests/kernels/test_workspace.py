@@ -37,7 +37,7 @@ def test_a_workspace_holds_all_scratch_of_its_size(size, total):
     for _ in range(2):
         refine(problem, np.empty((0, size)), 0, options, -np.inf, iterate, memory)
         for used, buffer in zip(
-            memory.carved, (*memory[4:9], memory.ints, memory.int_rows), strict=True
+            memory.carved, (*memory[5:10], memory.ints, memory.int_rows), strict=True
         ):
             assert 0 < used <= len(buffer)
 
