@@ -53,6 +53,17 @@ def test_angles_are_shown_as_they_were_typed(file, capsys):
     )
 
 
+def test_numbers_are_shown_with_the_units_of_the_file(file, capsys):
+    file.write_text('unit = "km"\n' + SMALL.replace("starts = 20", "starts = 1"))
+    assert main(["study", "small.toml", "--workers", "1"]) == 0
+    shown = capsys.readouterr().out
+    for heading in ("turn rate (rad/s)", "guaranteed (s)", "survival time (s)"):
+        assert heading in shown
+    file.write_text(SMALL.replace("[1.0, 2.0]", '["10 deg", "20 deg"]'))
+    assert main(["study", "small.toml", "--workers", "1", "--output", "degrees"]) == 0
+    assert "rad" not in capsys.readouterr().out
+
+
 def test_json_has_all_digits(file, capsys):
     assert main(["study", "small.toml", "--workers", "1", "--output", "there", "--json"]) == 0
     told = json.loads(capsys.readouterr().out)

@@ -24,7 +24,7 @@ from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, cor
 
 from covey.kernels.arrays import MOST_IN_GAMES
 from covey.model import InputError
-from covey.model.validation import LARGEST, is_unit_name
+from covey.model.validation import LARGEST, LONGEST_UNIT, is_unit_name
 
 WANTED = "wanted"
 """Type of the error of a value; its context gives `words`, what was wanted."""
@@ -334,8 +334,8 @@ UnitName = Annotated[
     str,
     ValueType(
         'a short word such as "m"',
-        lambda value: value if value and is_unit_name(value) else None,
-        limits={"minLength": 1},
+        lambda value: value if is_unit_name(value) else None,
+        limits={"maxLength": LONGEST_UNIT, "pattern": r"^\S*$"},
     ),
 ]
 Point = Annotated[

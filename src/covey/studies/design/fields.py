@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from pydantic import Field, ValidationError, create_model
 
-from covey.scenarios.about import LENGTH, SPEED, TIME, TURN_RATE, About
+from covey.scenarios.about import LENGTH, SPEED, TIME, TURN_RATE, UNIT, About
 from covey.scenarios.mistakes import Mistake, mistakes_of
 from covey.scenarios.samplers import HEADINGS, SHAPES, Disk, Formation, Square
 from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Entry, Named
@@ -23,6 +23,7 @@ from covey.scenarios.values import (
     Rate,
     Section,
     TeamSize,
+    UnitName,
     Whole,
     one_of,
 )
@@ -68,6 +69,7 @@ _TYPES: dict[str, Any] = {
         About("How starts are drawn.", {"name": "square", "side": 1.0, "headings": "away"}),
     ],
     "trajectories": Annotated[Flag, About("Whether the course of every game is kept.", True)],
+    "unit": Annotated[UnitName, UNIT],
     "team_size": Annotated[OneOrMany[TeamSize], About("Number of evaders.", [3, 5])],
     "speed": Annotated[OneOrMany[NotNegative], About("Speed of every evader.", 0.25, SPEED)],
     "turn_rate": Annotated[
