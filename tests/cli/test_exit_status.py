@@ -21,6 +21,7 @@ WORDS = {
     "reproduce": "reproduce --starts 2 --workers 1 -o paper",
     "yardstick": "yardstick --pairs 1 --cells 64 -o measured",
     "chase": "chase --no-browser --port 0",
+    "notebook": "notebook mine.ipynb --no-browser",
     "warmup": "warmup",
 }
 WORK = {
@@ -35,6 +36,7 @@ WORK = {
     "reproduce": "covey.scenarios.Scenario.simulate",
     "yardstick": "covey.studies.analysis.yardstick.measure",
     "chase": "covey.web.server.serve",
+    "notebook": "covey.cli.show.notebook.run_notebook",
     "warmup": "covey.cli.commands.warmup.load_library",
 }
 """What each command does after it has checked its arguments."""
@@ -44,10 +46,11 @@ EACH = pytest.mark.parametrize("command", COMMANDS)
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
-    """A working folder with a scenario, a record and a study."""
+    """A working folder with a scenario, a record, a study and a notebook."""
     monkeypatch.chdir(tmp_path)
     (tmp_path / "one.toml").write_text("[[team.evaders]]\nposition = [0.3, 0.4]\n")
     (tmp_path / "tiny.toml").write_text("starts = 2\n[grid]\nteam_size = 1\nupdate_time = 0.2\n")
+    (tmp_path / "mine.ipynb").write_text('{"cells": [{"cell_type": "code", "source": ["1"]}]}')
     game = covey.simulate(covey.Team([[0.3, 0.4]], [0.9]), covey.PursuerDisk(), update_time=0.5)
     covey.save_game(game, "game.parquet")
 

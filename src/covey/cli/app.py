@@ -54,6 +54,7 @@ COMMANDS = (
     "reproduce",
     "yardstick",
     "chase",
+    "notebook",
     "warmup",
 )
 """The files in `commands`, and the function in each, in the order of `covey --help`."""
