@@ -1,8 +1,8 @@
 """Check what a user installs: `python packaging/check_installed.py [WHEEL]`.
 
 The wheel is installed in an empty environment outside of the checkout. There covey plans, plays a
-study, serves the page and runs the first notebook. Without a wheel, the source distribution is built
-from the checkout, and the wheel from the source distribution.
+study, serves the page and runs the first notebook. Without a wheel, the source distribution is
+built from the checkout, and the wheel from the source distribution.
 """
 
 from __future__ import annotations
