@@ -85,11 +85,10 @@ def _print_cases(console: Console, result: studies.StudyResult) -> None:
     settings = list(lines[0].settings)
     second = result.units.time
     stopped, valued = any(line.stopped for line in lines), lines[0].value is not None
+    for name in settings:
+        heading = titled(_HEADINGS.get(name, name.replace("_", " ")), result.unit_of(name))
+        table.add_column(heading, justify="right", overflow="fold")  # where a name is long
     for heading in (
-        *(
-            titled(_HEADINGS.get(name, name.replace("_", " ")), result.unit_of(name))
-            for name in settings
-        ),
         titled("guaranteed", second),
         titled("survival time", second),
         "relative",

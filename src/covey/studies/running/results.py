@@ -17,7 +17,7 @@ from covey.studies.design.case import GRID, UNITS_OF
 from covey.studies.running.manifest import NAME, extent_of, read_manifest
 from covey.studies.running.parts import DamagedPartError, read_part
 from covey.studies.running.result_files import kinds, part_files
-from covey.studies.running.tables import GAMES, TRAJECTORIES
+from covey.studies.running.tables import GAMES, TRAJECTORIES, described_text, labels
 from covey.studies.statistics import Moments, moments_of
 
 if TYPE_CHECKING:
@@ -78,10 +78,16 @@ class StudyResult:
         return [dict(zip(GRID, combination, strict=True)) for combination in product(*values)]
 
     def text_of(self, name: str, value: Any) -> str:
-        """Return a value of a field of the grid as it was typed: "pi/2", not 1.571."""
+        """Return a value of a field of the grid as it was typed: "pi/2", not 1.571.
+
+        Of a strategy or an objective that `summary` describes, the name, if no other has the same.
+        """
         typed = self.manifest["typed"].get(name)
         if typed is not None:
             return str(typed[self.study["grid"][name].index(value)])
+        given = self.study["grid"][name]
+        if isinstance(given[0], dict):
+            return dict(zip(map(described_text, given), labels(given), strict=True))[value]
         return f"{value:.4g}" if isinstance(value, float) else str(value)
 
     @property
