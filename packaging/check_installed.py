@@ -1,8 +1,8 @@
 """Check what a user installs: `python packaging/check_installed.py [WHEEL]`.
 
 The wheel is installed in an empty environment outside of the checkout. There covey plans, plays a
-study and serves the page. Without a wheel, the source distribution is built from the checkout, and
-the wheel from the source distribution.
+study, serves the page and runs the first notebook. Without a wheel, the source distribution is
+built from the checkout, and the wheel from the source distribution.
 """
 
 from __future__ import annotations
@@ -138,6 +138,13 @@ def check_page(installed: Environment) -> None:
             server.terminate()
 
 
+def check_notebook(installed: Environment) -> None:
+    """Check that the first notebook runs where there is no Jupyter."""
+    installed.run("covey", "notebook", "--no-browser")
+    page = (installed.work / "first_notebook.html").read_text(encoding="utf-8")
+    require(page.count("data:image/png") == 2, "the first notebook lacks its pictures")
+
+
 def check_compiler(installed: Environment) -> None:
     """Check that a wheel with the compiled kernels inside came without the compiler."""
     found = installed.pip("list", "--format=freeze").stdout
@@ -154,9 +161,11 @@ def main(given: list[str]) -> None:
         print("installed it in an empty environment", flush=True)
         if "-any" not in wheel.name:
             check_compiler(installed)
-        for check in (check_plan, check_study, check_page):
+        for check in (check_plan, check_study, check_page, check_notebook):
             check(installed)
-    print(f"there it plans, studies and chases; {time.monotonic() - began:.0f} s in all")
+    print(
+        f"there it plans, studies, chases, runs a notebook; {time.monotonic() - began:.0f} s in all"
+    )
 
 
 if __name__ == "__main__":

@@ -48,7 +48,8 @@ ROWS = {
     "Bracket": 1,
     "Game": 3,
     "Scenario": 9,
-    "Study": 16,
+    "SequencePlan": 3,
+    "Study": 17,
 }
 
 
@@ -78,8 +79,9 @@ def test_a_plan_for_another_objective_tells_its_value():
 
 
 def test_the_results_of_a_study_tell_where_they_are(tmp_path):
-    result = StudyResult(tmp_path, {"games": 12, "study": {"grid": {"speed": [0.2, 0.25]}}})
-    assert "<td>speed</td><td>[0.2, 0.25]</td>" in result._repr_html_()
+    study = {"unit": "m", "grid": {"speed": [0.2, 0.25]}}
+    result = StudyResult(tmp_path, {"games": 12, "study": study, "typed": {}})
+    assert "<td>speed (m/s)</td><td>[0.2, 0.25]</td>" in result._repr_html_()
     assert repr(result) == f"StudyResult({str(tmp_path)!r}, 12 games)"
 
 

@@ -25,6 +25,7 @@ WORDS = {
     "instances": "instances paper-2 --check",
     "score": "score my_team:flee paper-2 --beside hold-course",
     "chase": "chase --no-browser --port 0",
+    "notebook": "notebook mine.ipynb --no-browser",
     "warmup": "warmup",
 }
 WORK = {
@@ -41,6 +42,7 @@ WORK = {
     "instances": "covey.instances.check.check",
     "score": "covey.cli.commands.score.counting",
     "chase": "covey.web.serving.server.serve",
+    "notebook": "covey.cli.show.notebook.run_notebook",
     "warmup": "covey.cli.commands.warmup.load_library",
 }
 """What each command does after it has checked its arguments."""
@@ -50,12 +52,13 @@ EACH = pytest.mark.parametrize("command", COMMANDS)
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
-    """A working folder with a scenario, a record, a study and a module."""
+    """A working folder with a scenario, a record, a study, a notebook and a module."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(sys, "path", [*sys.path])
     (tmp_path / "my_team.py").write_text("def flee(situation):\n    return situation.turns\n")
     (tmp_path / "one.toml").write_text("[[team.evaders]]\nposition = [0.3, 0.4]\n")
     (tmp_path / "tiny.toml").write_text("starts = 2\n[grid]\nteam_size = 1\nupdate_time = 0.2\n")
+    (tmp_path / "mine.ipynb").write_text('{"cells": [{"cell_type": "code", "source": ["1"]}]}')
     game = covey.simulate(covey.Team([[0.3, 0.4]], [0.9]), covey.PursuerDisk(), update_time=0.5)
     covey.save_game(game, "game.parquet")
 

@@ -53,6 +53,28 @@ def test_angles_are_shown_as_they_were_typed(file, capsys):
     )
 
 
+def test_numbers_are_shown_with_the_units_of_the_file(file, capsys):
+    file.write_text('unit = "km"\n' + SMALL.replace("starts = 20", "starts = 1"))
+    assert main(["study", "small.toml", "--workers", "1"]) == 0
+    shown = capsys.readouterr().out
+    for heading in ("turn rate (rad/s)", "guaranteed (s)", "survival time (s)"):
+        assert heading in shown
+    file.write_text(SMALL.replace("[1.0, 2.0]", '["10 deg", "20 deg"]'))
+    assert main(["study", "small.toml", "--workers", "1", "--output", "degrees"]) == 0
+    assert "rad" not in capsys.readouterr().out
+
+
+def test_no_number_is_cut_off_where_the_names_of_strategies_are_long(file, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    teams = '["iterative-open-loop", "contingent"]'
+    file.write_text(SMALL.replace("20", "2").replace("sensing", f"evaders = {teams}\nsensing"))
+    assert main(["study", "small.toml", "--workers", "1"]) == 0
+    shown = capsys.readouterr().out
+    assert "contingent" in shown
+    assert "…" not in shown
+    assert "replan" not in shown  # the names tell the teams apart
+
+
 def test_json_has_all_digits(file, capsys):
     assert main(["study", "small.toml", "--workers", "1", "--output", "there", "--json"]) == 0
     told = json.loads(capsys.readouterr().out)

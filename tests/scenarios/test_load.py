@@ -56,7 +56,8 @@ def test_everything_can_be_said(tmp_path):
     )
     assert scenario.team.positions.tolist() == [[3.0, 4.0], [5.0, 6.0]]
     assert scenario.team.headings.tolist() == [math.pi, math.pi / 4]
-    assert scenario.team.unit == "km"
+    assert scenario.team.unit == scenario.disk.unit == "km"
+    assert "<td>update_time (s)</td>" in scenario._repr_html_()
     assert scenario.team.speeds.tolist() == [0.5, 0.0]
     assert scenario.team.turn_rates.tolist() == [math.pi / 2, math.inf]
     assert scenario.disk.center.tolist() == [1.0, 2.0]
@@ -186,7 +187,7 @@ def test_the_heading_of_all_may_also_be_written_in_plural(tmp_path):
         loaded(tmp_path, f"[team]\nheading = 2.0\nheadings = 1.0\n{evaders}")
 
 
-@pytest.mark.parametrize("unit", ["3", '""', '"two words"'])
+@pytest.mark.parametrize("unit", ["3", '"two words"', '"thirteen-long"'])
 def test_a_unit_is_a_short_word(tmp_path, unit):
     with pytest.raises(covey.InputError, match=r'unit: expected a short word such as "m", got'):
         loaded(tmp_path, f"unit = {unit}\n[[team.evaders]]\nposition = [1, 0]\n")

@@ -10,7 +10,8 @@ from typing import NamedTuple
 from covey.bounds.next_capture import next_capture_bound
 from covey.bounds.upper_end import earliest_end
 from covey.model import PursuerDisk, Team
-from covey.model.display import html_table, one_line
+from covey.model.display import html_row, one_line, quantity
+from covey.model.units import titled
 from covey.model.validation import Floats, read_only
 from covey.model.value import Value
 from covey.planning import ContingentPlan, Plan, plan, plan_contingent
@@ -92,14 +93,26 @@ class Bracket(Value):
 
     def __repr__(self) -> str:
         """Return both bounds, and what they are due to, in one line."""
-        return one_line("Bracket", **self._facts())
+        second = self.plan.team.units.time
+        return one_line(
+            "Bracket",
+            lower=quantity(self.lower, second),
+            lower_by=self.lower_by,
+            upper=quantity(self.upper, second),
+            upper_by=self.upper_by,
+            sequence=self.sequence,
+        )
 
     def _repr_html_(self) -> str:
-        return html_table("Bracket", {name: [value] for name, value in self._facts().items()})
-
-    def _facts(self) -> dict[str, object]:
-        names = ("lower", "lower_by", "upper", "upper_by", "sequence")
-        return {name: getattr(self, name) for name in names}
+        second = self.plan.team.units.time
+        facts = {
+            titled("lower", second): self.lower,
+            "lower by": self.lower_by,
+            titled("upper", second): self.upper,
+            "upper by": self.upper_by,
+            "sequence": self.sequence,
+        }
+        return html_row("Bracket", facts)
 
 
 def bracket(

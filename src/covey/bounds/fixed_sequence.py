@@ -13,7 +13,8 @@ from covey.kernels.bounds.fixed_sequence import latest_in_sequence, new_grids
 from covey.kernels.capture.pursuit import Pursuit
 from covey.model import PursuerDisk, Team
 from covey.model.angles import wrap_angle
-from covey.model.display import one_line
+from covey.model.display import html_table, one_line, quantity
+from covey.model.units import titled, units_with
 from covey.model.validation import Floats, Ints, permutation, read_only
 from covey.model.value import Value
 from covey.planning.guarantee import about_center, capture_times, check_players, pursuit_of
@@ -49,6 +50,8 @@ class SequencePlan(Value):
     survival_time : float
         The last capture time: the maximum of f_s over the turns.
     status : SequenceStatus
+    unit : str
+        Of the team's lengths; with one, all times are in seconds.
 
     Examples
     --------
@@ -66,15 +69,25 @@ class SequencePlan(Value):
     capture_times: Floats
     survival_time: float
     status: SequenceStatus
+    unit: str = ""
 
     def __repr__(self) -> str:
         """Return the last capture, the sequence, and how the search ended, in one line."""
         return one_line(
             "SequencePlan",
-            survival_time=self.survival_time,
+            survival_time=quantity(self.survival_time, units_with(self.unit).time),
             sequence=self.sequence,
             status=self.status,
         )
+
+    def _repr_html_(self) -> str:
+        columns = {
+            "evader": self.sequence,
+            titled("captured", units_with(self.unit).time): self.capture_times.tolist(),
+            "turn (rad)": self.turns[[*self.sequence]].tolist(),
+            "goal heading (rad)": self.goal_headings[[*self.sequence]].tolist(),
+        }
+        return html_table(repr(self), columns)
 
 
 def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) -> SequencePlan:
@@ -143,6 +156,7 @@ def plan_for_sequence(team: Team, disk: PursuerDisk, sequence: npt.ArrayLike) ->
         capture_times=read_only(times),
         survival_time=float(times[-1]),
         status=SequenceStatus.CONVERGED if converged else SequenceStatus.STEPS_USED_UP,
+        unit=team.unit,
     )
 
 

@@ -56,6 +56,7 @@ COMMANDS = (
     "instances",
     "score",
     "chase",
+    "notebook",
     "warmup",
 )
 """The files in `commands`, and the function in each, in the order of `covey --help`."""

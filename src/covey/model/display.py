@@ -7,6 +7,7 @@ from enum import Enum
 from html import escape
 from itertools import islice
 
+from covey.model.units import with_unit
 from covey.model.validation import Floats
 
 _MOST_ROWS = 20
@@ -26,9 +27,19 @@ def brief(value: object) -> str:
     return value.name if isinstance(value, Enum) else str(value)
 
 
+def quantity(value: object, unit: str) -> str:
+    """Write a number to six digits, or a tuple of such, with its unit if there is one."""
+    return with_unit(brief(value), unit)
+
+
 def html_facts(caption: str, facts: Mapping[str, object]) -> str:
     """Write a table of facts, a row each."""
     return html_table(caption, {"": facts.keys(), "value": facts.values()})
+
+
+def html_row(caption: str, facts: Mapping[str, object]) -> str:
+    """Write a table of facts, a column each."""
+    return html_table(caption, {name: [value] for name, value in facts.items()})
 
 
 def spread(values: Floats) -> str:

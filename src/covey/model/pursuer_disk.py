@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 
 from covey.model.angles import away_from
-from covey.model.display import html_table, one_line
+from covey.model.display import html_row, one_line, quantity
 from covey.model.team import Team
+from covey.model.units import Units, titled, units_with
 from covey.model.validation import (
     SMALLEST_SPEED,
     Floats,
@@ -18,6 +20,7 @@ from covey.model.validation import (
     frozen_array,
     is_slower,
     number,
+    unit_name,
 )
 from covey.model.value import Value
 
@@ -39,11 +42,13 @@ class PursuerDisk(Value):
     capture_radius
         ρ >= 0, a length: the pursuer captures an evader within this distance. The paper's game has
         ρ = 0.
+    unit
+        The unit of all lengths of the game, as in `Team`. Default: no unit is named.
 
     Raises
     ------
     InputError
-        If a number is not finite or out of its range.
+        If a number is not finite or out of its range, or the unit isn't a short word.
 
     Examples
     --------
@@ -57,6 +62,7 @@ class PursuerDisk(Value):
     radius: float
     speed: float
     capture_radius: float
+    unit: str
 
     def __init__(
         self,
@@ -64,6 +70,8 @@ class PursuerDisk(Value):
         radius: float = 0.0,
         speed: float = 1.0,
         capture_radius: float = 0.0,
+        *,
+        unit: str = "",
     ) -> None:
         positive = number("speed", speed, low=0.0, strictly=True)
         for name, value in (
@@ -71,19 +79,31 @@ class PursuerDisk(Value):
             ("radius", number("radius", radius, low=0.0)),
             ("speed", number("speed", positive, low=SMALLEST_SPEED)),
             ("capture_radius", number("capture_radius", capture_radius, low=0.0)),
+            ("unit", unit_name("unit", unit)),
         ):
             object.__setattr__(self, name, value)
 
     def __repr__(self) -> str:
         """Return all numbers in one line."""
-        return one_line("PursuerDisk", **self._numbers())
+        numbers = {name: quantity(value, unit) for name, value, unit in self._numbers()}
+        return one_line("PursuerDisk", **numbers)
 
     def _repr_html_(self) -> str:
-        numbers = {name.replace("_", " "): [value] for name, value in self._numbers().items()}
-        return html_table("PursuerDisk", numbers)
+        facts = {titled(name.replace("_", " "), u): value for name, value, u in self._numbers()}
+        return html_row("PursuerDisk", facts)
 
-    def _numbers(self) -> dict[str, object]:
-        return {**vars(self), "center": tuple(self.center.tolist())}
+    def _numbers(self) -> Iterator[tuple[str, object, str]]:
+        """Return the name, the value and the unit of each number."""
+        length, _, speed, _ = self.units
+        yield "center", tuple(self.center.tolist()), length
+        yield "radius", self.radius, length
+        yield "speed", self.speed, speed
+        yield "capture_radius", self.capture_radius, length
+
+    @property
+    def units(self) -> Units:
+        """What tables and pictures write beside lengths, times, speeds and turn rates."""
+        return units_with(self.unit)
 
     @classmethod
     def last_seen(
@@ -94,6 +114,7 @@ class PursuerDisk(Value):
         ago: float,
         speed: float = 1.0,
         capture_radius: float = 0.0,
+        unit: str = "",
     ) -> PursuerDisk:
         """Return the disk of a pursuer that was last seen some time ago.
 
@@ -105,7 +126,7 @@ class PursuerDisk(Value):
             >= 0, the length by which that sighting may be wrong.
         ago
             >= 0, the time since then.
-        speed, capture_radius
+        speed, capture_radius, unit
             As above.
 
         Returns
@@ -126,7 +147,7 @@ class PursuerDisk(Value):
         """
         speed = number("speed", speed, low=0.0, strictly=True)
         radius = number("within", within, low=0.0) + speed * number("ago", ago, low=0.0)
-        return cls(position, radius, speed, capture_radius)
+        return cls(position, radius, speed, capture_radius, unit=unit)
 
     def headings_away(self, positions: npt.ArrayLike) -> Floats:
         """Return the headings (N,), radians, straight away from the centre at `positions` (N, 2).

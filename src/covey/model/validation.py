@@ -18,7 +18,7 @@ Ints = npt.NDArray[np.int64]
 
 
 _MOST_SHOWN = 80
-_LONGEST_UNIT = 12
+LONGEST_UNIT = 12
 LARGEST = 1e50
 """Largest length, speed, rate or time. Products of a few of them must be finite."""
 SMALLEST_SPEED = 1.0 / LARGEST
@@ -150,7 +150,7 @@ def whole_number(name: str, value: object, *, low: int, high: int | None = None)
 def is_unit_name(value: object) -> bool:
     """Tell whether a value can name a unit: a short word, or no word at all."""
     return isinstance(value, str) and (
-        value == "" or (len(value) <= _LONGEST_UNIT and value.isprintable() and " " not in value)
+        value == "" or (len(value) <= LONGEST_UNIT and value.isprintable() and " " not in value)
     )
 
 

@@ -32,7 +32,8 @@ from covey.model import (
     Team,
     TotalSurvival,
 )
-from covey.model.display import html_table
+from covey.model.display import html_row, one_line, quantity
+from covey.model.units import titled, units_with
 from covey.model.validation import Floats, checked_array, number, permutation, require_kind, shown
 from covey.planning.compiled_objective import checked_objective, compiled_objective
 from covey.planning.long_calls import interceptions_of_minimum, interruptible
@@ -52,6 +53,8 @@ class Guarantee:
         A capture sequence that attains `upper`.
     upper : float
         What the sequence comes to; `time` where the guarantee is exact.
+    unit : str
+        Of the team's lengths; with one, both times are in seconds.
 
     Examples
     --------
@@ -66,15 +69,31 @@ class Guarantee:
     time: float
     sequence: tuple[int, ...]
     upper: float
+    unit: str = ""
 
     @property
     def exact(self) -> bool:
         """Whether `time` is the exact minimum over all capture sequences."""
         return self.time == self.upper
 
+    def __repr__(self) -> str:
+        """Return both times and the sequence in one line."""
+        second = units_with(self.unit).time
+        return one_line(
+            "Guarantee",
+            time=quantity(self.time, second),
+            upper=quantity(self.upper, second),
+            sequence=self.sequence,
+        )
+
     def _repr_html_(self) -> str:
-        facts = {"time": self.time, "upper": self.upper, "sequence": self.sequence}
-        return html_table("Guarantee", {name: [value] for name, value in facts.items()})
+        second = units_with(self.unit).time
+        facts = {
+            titled("time", second): self.time,
+            titled("upper", second): self.upper,
+            "sequence": self.sequence,
+        }
+        return html_row("Guarantee", facts)
 
 
 def pursuit_of(disk: PursuerDisk) -> Pursuit:
@@ -93,9 +112,14 @@ def paths_of(team: Team, disk: PursuerDisk, turns: npt.ArrayLike) -> Floats:
 
 
 def check_players(team: Team, disk: PursuerDisk) -> None:
-    """Raise InputError unless these are a team and a disk, and every evader is slower."""
+    """Raise InputError unless these are a team and a disk that fit, and every evader is slower."""
     require_kind("team", team, Team)
     require_kind("disk", disk, PursuerDisk)
+    if team.unit and disk.unit and team.unit != disk.unit:
+        raise InputError(
+            f"unit: expected the same for the team and the disk, got {team.unit!r} and "
+            f"{disk.unit!r}; nothing is converted"
+        )
     disk.require_faster_than(team)
 
 
@@ -275,7 +299,7 @@ def worst_sequence(
         lower = upper = interruptible(least, n, total, interceptions)
     else:
         lower, upper = interruptible(bounds, n, total, interceptions, deadline)
-    return Guarantee(lower, tuple(sequence.tolist()), upper)
+    return Guarantee(lower, tuple(sequence.tolist()), upper, team.unit)
 
 
 def expected_survival(

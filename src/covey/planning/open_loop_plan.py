@@ -7,7 +7,7 @@ from enum import StrEnum
 
 from covey.kernels.maximum.problem import CONVERGED, STALLED, STEPS_USED_UP
 from covey.model import LastCapture, Objective, PursuerDisk, Team
-from covey.model.display import html_table, one_line
+from covey.model.display import html_table, one_line, quantity
 from covey.model.validation import Floats
 from covey.model.value import Value
 
@@ -102,11 +102,12 @@ class Plan(Value):
 
     def __repr__(self) -> str:
         """Return what is guaranteed, and how the search ended, in one line."""
-        value = {} if isinstance(self.objective, LastCapture) else {"value": self.value}
+        named = {"survival_time": self.survival_time}
+        if not isinstance(self.objective, LastCapture):
+            named["value"] = self.value
         return one_line(
             "Plan",
-            survival_time=self.survival_time,
-            **value,
+            **{name: quantity(time, self.team.units.time) for name, time in named.items()},
             evaders=len(self.turns),
             critical_sequences=len(self.critical_sequences),
             status=self.status,
@@ -115,7 +116,7 @@ class Plan(Value):
     def _repr_html_(self) -> str:
         columns = {
             "evader": range(len(self.turns)),
-            "turn": self.turns.tolist(),
-            "goal heading": self.goal_headings.tolist(),
+            "turn (rad)": self.turns.tolist(),
+            "goal heading (rad)": self.goal_headings.tolist(),
         }
         return html_table(repr(self), columns)

@@ -15,7 +15,8 @@ from covey.kernels.play.policy import TeamMemory
 from covey.kernels.play.rules import State
 from covey.kernels.play.to_capture import guaranteed_value, play_to_capture
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team, objective_value
-from covey.model.display import html_table, one_line
+from covey.model.display import html_table, one_line, quantity
+from covey.model.units import titled, units_with
 from covey.model.validation import number
 from covey.planning.long_calls import interruptible
 from covey.planning.workspace import workspace
@@ -63,6 +64,8 @@ class WorstCase:
         on what it sees of the evaders, may reach a slightly lower value.
     flights : int
         Number of flights, from one capture to the next, that were played.
+    unit : str
+        Of the team's lengths; with one, all times are in seconds.
 
     Examples
     --------
@@ -83,22 +86,24 @@ class WorstCase:
     delays: tuple[float, ...]
     scope: WorstCaseScope
     flights: int
+    unit: str = ""
 
     def __repr__(self) -> str:
         """Return the last capture, the order that ends so early, and who was considered."""
         return one_line(
             "WorstCase",
-            survival_time=self.survival_time,
+            survival_time=quantity(self.survival_time, units_with(self.unit).time),
             sequence=self.sequence,
             scope=self.scope,
         )
 
     def _repr_html_(self) -> str:
+        second = units_with(self.unit).time
         columns = {
             "capture": range(1, len(self.sequence) + 1),
             "evader": self.sequence,
-            "time": self.capture_times,
-            "delay": self.delays,
+            titled("time", second): self.capture_times,
+            titled("delay", second): self.delays,
         }
         return html_table(repr(self), columns)
 
@@ -189,6 +194,7 @@ def worst_case(
         delays=tuple(capture.delay for capture in worst),
         scope=WorstCaseScope.DELAYED if any(waits) else WorstCaseScope.PROMPT,
         flights=flights,
+        unit=team.unit,
     )
 
 

@@ -42,3 +42,7 @@ class About:
             "x-unit": self.unit,
             "x-wanted": words,
         }
+
+
+UNIT = About("Unit of lengths, which is then printed; times are in seconds.", "m")
+"""Of the key `unit`, which scenarios and studies share."""

@@ -11,7 +11,6 @@ from covey.model.team import rates_of_radii
 from covey.scenarios.scenario import Scenario
 from covey.scenarios.schema import (
     EvaderSection,
-    PursuerSection,
     RandomSection,
     ScenarioFile,
     TeamSection,
@@ -24,7 +23,7 @@ Point = tuple[float, float]
 def build(file: ScenarioFile, seed: int | None = None) -> Scenario:
     """Make the scenario; `seed` replaces the seed of the file."""
     chosen = file.game.seed if seed is None else seed
-    disk = _disk(file.pursuer)
+    disk = _disk(file)
     return Scenario(
         team=_team(file, disk, chosen),
         disk=disk,
@@ -38,12 +37,18 @@ def build(file: ScenarioFile, seed: int | None = None) -> Scenario:
     )
 
 
-def _disk(section: PursuerSection) -> PursuerDisk:
-    speed, reach, seen = section.speed, section.capture_radius, section.last_seen
+def _disk(file: ScenarioFile) -> PursuerDisk:
+    section, seen = file.pursuer, file.pursuer.last_seen
+    speed, reach = section.speed, section.capture_radius
     if seen is None:
-        return PursuerDisk(section.center, section.radius, speed, reach)
+        return PursuerDisk(section.center, section.radius, speed, reach, unit=file.unit)
     return PursuerDisk.last_seen(
-        seen.position, within=seen.within, ago=seen.ago, speed=speed, capture_radius=reach
+        seen.position,
+        within=seen.within,
+        ago=seen.ago,
+        speed=speed,
+        capture_radius=reach,
+        unit=file.unit,
     )
 
 

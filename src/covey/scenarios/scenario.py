@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from covey.bounds import Bracket, bracket
 from covey.model import LastCapture, Objective, PursuerDisk, Team
 from covey.model.display import html_facts
+from covey.model.units import titled
 from covey.model.value import Value
 from covey.planning import ContingentPlan, Plan, plan, plan_contingent
 from covey.players import IterativeOpenLoop, OpenLoop, WorstCase, simulate, worst_case
@@ -57,7 +58,10 @@ class Scenario(Value):
     objective: Objective | str = LastCapture()  # noqa: RUF009 frozen
 
     def _repr_html_(self) -> str:
-        return html_facts("Scenario", vars(self))
+        second = self.team.units.time
+        times = {name: titled(name, second) for name in ("update_time", "time_limit")}
+        facts = {times.get(name, name): value for name, value in vars(self).items()}
+        return html_facts("Scenario", facts)
 
     def plan(self) -> Plan:
         """Return the open-loop plan, with which a team that flies one begins the game."""

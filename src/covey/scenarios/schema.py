@@ -18,7 +18,7 @@ from pydantic.config import JsonDict
 
 from covey.kernels.arrays import MOST_IN_GAMES
 from covey.model.team import DEFAULT_TURN_RATE
-from covey.scenarios.about import ANGLE, LENGTH, SPEED, TIME, TURN_RATE, About
+from covey.scenarios.about import ANGLE, LENGTH, SPEED, TIME, TURN_RATE, UNIT, About
 from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Named
 from covey.scenarios.value_types import Section, one_of
 from covey.scenarios.values import (
@@ -180,9 +180,7 @@ class ScenarioFile(Section):
 
     model_config = ConfigDict(json_schema_extra={"required": ["team"]})
 
-    unit: Annotated[
-        UnitName, About("Unit of lengths, which is then printed; times are in seconds.", "m")
-    ] = ""
+    unit: Annotated[UnitName, UNIT] = ""
     pursuer: Annotated[PursuerSection, About("The pursuer.", {"speed": 45})] = Field(
         default_factory=PursuerSection
     )

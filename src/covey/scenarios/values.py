@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Annotated, Any
 
 from covey.kernels.arrays import MOST_IN_GAMES
-from covey.model.validation import LARGEST, is_unit_name
+from covey.model.validation import LARGEST, LONGEST_UNIT, is_unit_name
 from covey.scenarios.angles import ANGLE_PATTERNS, Angle, radians_of
 from covey.scenarios.value_types import ValueType
 
@@ -152,8 +152,8 @@ UnitName = Annotated[
     str,
     ValueType(
         'a short word such as "m"',
-        lambda value: value if value and is_unit_name(value) else None,
-        limits={"minLength": 1},
+        lambda value: value if is_unit_name(value) else None,
+        limits={"maxLength": LONGEST_UNIT, "pattern": r"^\S*$"},
     ),
 ]
 Point = Annotated[

@@ -29,8 +29,8 @@ def team_information(
     return Situation(
         time=float(state.time[0]),
         evaders=tuple(state.ids[:alive].tolist()),
-        team=Team(rows[:, :2], rows[:, 2], rows[:, 3], rows[:, 4]),
-        disk=PursuerDisk(state.disk[:2], state.disk[2], disk.speed, disk.capture_radius),
+        team=Team(rows[:, :2], rows[:, 2], rows[:, 3], rows[:, 4], unit=disk.unit),
+        disk=replace(disk, center=state.disk[:2], radius=state.disk[2]),
         turns=read_only(state.turns[:alive].copy()),
         objective=objective,
     )

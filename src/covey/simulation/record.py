@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from covey.model import PursuerDisk, Team
-from covey.model.display import brief, html_table, one_line
-from covey.model.units import counted, titled, with_unit
+from covey.model.display import html_table, one_line, quantity
+from covey.model.units import counted, titled
 from covey.model.validation import Floats, Ints
 from covey.model.value import Value
 from covey.simulation.data_frame import data_frame
@@ -167,8 +167,8 @@ class Game(Value):
             counted(len(self.team), "evader"),
             **sides,
             sensing=self.sensing,
-            guarantee=with_unit(brief(self.guarantee), time),
-            survival_time=with_unit(brief(self.survival_time), time),
+            guarantee=quantity(self.guarantee, time),
+            survival_time=quantity(self.survival_time, time),
             status=self.status,
         )
 

@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from covey.model import InputError, LastCapture, Objective, PursuerDisk, Team
-from covey.model.display import one_line
+from covey.model.display import one_line, quantity
 from covey.model.validation import Floats, frozen_array, shown
 from covey.model.value import Value
 
@@ -75,14 +75,19 @@ class Situation(Value):
 
     def __repr__(self) -> str:
         """Return when it is, who is alive, and where the pursuer can be, in one line."""
-        return one_line("Situation", time=self.time, evaders=self.evaders, disk=self.disk)
+        return one_line(
+            "Situation",
+            time=quantity(self.time, self.team.units.time),
+            evaders=self.evaders,
+            disk=self.disk,
+        )
 
     @property
     def pursuer(self) -> PursuerDisk:
         """Where the pursuer can be, by what this player knows."""
         if self.place is None:
             return self.disk
-        return PursuerDisk(self.place, 0.0, self.disk.speed, self.disk.capture_radius)
+        return replace(self.disk, center=self.place, radius=0.0)
 
     def moved(self, by: Floats) -> Situation:
         """Return the situation, moved `by` (2,)."""

@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
+import io
 import math
 from types import SimpleNamespace
 
 import numpy as np
 import pyarrow as pa
 import pytest
+from rich.console import Console
 
 import covey
 from covey import views
 from covey.cli import main
+from covey.cli.show.comparison import print_comparison
 from covey.model import InputError
 from covey.scenarios.strategies import EVADERS, PURSUERS
 from covey.studies import Study, example_path, read_study, run_study
-from covey.studies.analysis.paired_ratios import labels
+from covey.studies.analysis.paired_ratios import Comparison, PairedRatio
 from covey.studies.analysis.tournament import is_tournament, tournament
-from covey.studies.statistics import moments_of
+from covey.studies.running.tables import labels
+from covey.studies.statistics import UNKNOWN, moments_of
 from covey.views.charts.comparison import Ratio
 from studies.small_studies import files
 
@@ -85,6 +89,14 @@ def test_pairs_with_a_stopped_game_are_left_out():
     assert found[None].relative == pytest.approx((0.5, 0.0), abs=1e-12)
     nobody = duel(own, np.full((3, 2), math.inf), team_size=[2, 3])
     assert math.isnan(nobody[None].relative.value)
+
+
+def test_a_cell_of_a_table_without_games_has_no_number():
+    ratio = PairedRatio("hidden", "patient", "open-loop", None, UNKNOWN, 1, 2)
+    screen = Console(file=io.StringIO(), width=80)
+    print_comparison(screen, Comparison("team", "contingent", "mean", [ratio]))
+    assert "nan" not in screen.file.getvalue()
+    assert "–*" in screen.file.getvalue()
 
 
 def test_names_alone_where_they_tell_strategies_apart():

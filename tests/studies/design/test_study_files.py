@@ -20,6 +20,7 @@ def test_a_file_says_what_the_value_says(tmp_path):
         seed = 4
         sampler = { name = "formation", shape = "ring", spacing = 0.2 }
         trajectories = true
+        unit = "km"
         [grid]
         team_size = [2, 4]
         turn_rate = ["pi/2", "180 deg", inf]
@@ -36,6 +37,7 @@ def test_a_file_says_what_the_value_says(tmp_path):
             seed=4,
             sampler=Formation("ring", spacing=0.2),
             trajectories=True,
+            unit="km",
             team_size=(2, 4),
             turn_rate=[math.pi / 2, math.pi, math.inf],
             sensing="hidden",
@@ -95,6 +97,7 @@ def test_all_mistakes_of_a_file_are_told_at_once(tmp_path):
         ({"pursuer": covey.RandomSequence([(0, 1)])}, "pursuer.0.: RandomSequence: expected"),
         ({"objective": covey.TotalSurvival}, "objective: expected LastCapture"),
         ({"objective": "expected-survival", "team_size": [2, 9]}, "are too many"),
+        ({"unit": "two words"}, 'unit: expected a short word such as "m", got'),
         ({"turn_rate": "pi/0"}, "turn_rate: expected a turn rate >= 0"),
         ({"turn_radius": [1, -1]}, r"turn_radius\[1\]: expected a turning radius >= 0"),
         ({"turn_rate": 1, "turn_radius": 1}, "turn_radius: expected turn_rate or turn_radius, got"),

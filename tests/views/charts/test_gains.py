@@ -38,3 +38,9 @@ def test_teams_that_answer_captures_are_broken_lines_in_the_colours_of_their_siz
 def test_a_curve_without_all_turning_rates_is_refused():
     with pytest.raises(InputError, match="expected 2 ratios and errors for 5 evaders"):
         draw_gains([1.0, 2.0], {"visible": {5: Curve([1.0], [0.0])}})
+
+
+def test_curves_of_a_single_start_have_no_intervals():
+    curve = Curve([1.0, 1.1], [0.0, np.nan])
+    (axes,) = draw_gains([1.0, 2.0], {"hidden": {2: curve}}).axes
+    assert axes.get_ylim()[1] > 1.1

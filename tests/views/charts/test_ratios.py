@@ -35,3 +35,8 @@ def test_the_line_of_the_assured_pursuer_has_the_height_of_its_shares():
 def test_a_histogram_of_nothing_is_refused():
     with pytest.raises(InputError, match="at least one ratio"):
         draw_ratios({3: []})
+
+
+def test_starts_are_counted_in_whole_numbers():
+    (axes,) = draw_ratios({2: [1.0, 0.95]}).axes
+    assert all(float(tick).is_integer() for tick in axes.get_yticks())

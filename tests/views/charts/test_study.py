@@ -43,6 +43,15 @@ def test_any_other_study_is_drawn_as_its_means(tmp_path):
     assert marks.get_xdata() == pytest.approx(means)
 
 
+def test_units_stand_beside_the_numbers_of_a_study(tmp_path):
+    fields = {"turn_radius": [0.1, 0.2], "capture_radius": 0.01, "sensing": "hidden", "unit": "km"}
+    figure = drawn(tmp_path, **fields)
+    (axes,) = figure.axes
+    labels = [text.get_text() for text in axes.get_yticklabels()]
+    assert labels == ["turn radius 0.1 km", "turn radius 0.2 km"]
+    assert "mean survival time (s), ± 95 % confidence" in [text.get_text() for text in figure.texts]
+
+
 def test_one_start_has_a_picture_without_an_interval(tmp_path):
     (axes,) = drawn(tmp_path, starts=1, sensing="hidden").axes
     low, high = axes.get_xlim()

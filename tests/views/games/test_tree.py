@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from itertools import combinations
+
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
+from matplotlib.transforms import Bbox
 
 import covey
 from covey import views
+from covey.scenarios.examples import TEMPLATE
 from random_games import random_game
 from views import drawn_artists
 
@@ -45,3 +50,31 @@ def test_the_captures_are_those_of_the_worst_sequence(tree):
 def test_a_plan_for_one_evader_is_one_map():
     game = random_game(np.random.default_rng(1), 1)
     assert len(views.draw_contingent(covey.plan_contingent(*game)).axes) == 1
+
+
+@pytest.mark.parametrize("width", [2.5, 5.0, 9.0])
+def test_names_and_numbers_do_not_touch_in_axes_of_any_size(width):
+    scenario = covey.load_scenario(TEMPLATE)
+    figure = Figure(figsize=(width, width))
+    covey.draw(scenario.plan_contingent(), ax=figure.add_axes((0.0, 0.0, 1.0, 1.0)))
+    maps = figure.axes[0].child_axes
+    assert len(maps) == 5
+    titles = [axes._left_title.get_window_extent() for axes in maps]  # there is no public way
+    numbers = []
+    for axes in maps:
+        low, high = axes.get_xlim()
+        shown = [each for each in axes.get_xticklabels() if each.get_visible()]
+        inside = [each for each in shown if low <= each.get_position()[0] <= high]
+        numbers += [Bbox.union([each.get_window_extent() for each in inside])] if inside else []
+    for boxes in (titles, numbers):
+        assert not any(one.overlaps(other) for one, other in combinations(boxes, 2))
+
+
+def test_a_narrow_picture_has_fewer_columns():
+    tree = covey.load_scenario(TEMPLATE).plan_contingent()
+
+    def columns(width):
+        axes = views.draw_contingent(tree, width=width).axes
+        return len({round(each.get_position().x0, 3) for each in axes})
+
+    assert [columns(width) for width in (7.0, 3.5, 2.0)] == [3, 2, 1]

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
+import covey
 from web.browser_pages import CAPTURED, TEAM, colours
 
 
@@ -65,6 +68,24 @@ def test_a_legend_names_the_signs_that_are_on_the_board(open_page):
     hidden.get_by_text("where you may be").wait_for()
 
 
-def test_the_legend_leaves_room_on_a_phone(open_page):
-    tab = open_page("?start=fig3", viewport={"width": 400, "height": 800})
-    assert not tab.page.get_by_label("Signs on the board").is_visible()
+@pytest.mark.parametrize(("width", "height"), [(1000, 800), (1300, 500), (400, 800)])
+def test_the_legend_stands_with_the_choices_where_the_board_is_small(open_page, width, height):
+    tab = open_page("?start=fig3", viewport={"width": width, "height": height})
+    legend = tab.page.get_by_label("Signs on the board")
+    legend.scroll_into_view_if_needed()
+    assert legend.locator("li:visible").count() == 6
+    (box, board) = (tab.page.locator(each).bounding_box() for each in (".legend", "#board"))
+    assert box["x"] >= board["x"] + board["width"] or box["y"] >= board["y"] + board["height"]
+
+
+def test_a_record_is_shown_with_its_units(open_page, tmp_path):
+    team = covey.Team([(900.0, 300.0), (-200.0, 700.0)], 0.3, 20.0, turn_radii=60.0, unit="m")
+    game = covey.simulate(team, covey.PursuerDisk(speed=45.0, unit="m"), update_time=1.0)
+    covey.save_game(game, tmp_path / "game.parquet")
+    tab = open_page("?start=fig3")
+    legend = tab.page.get_by_label("Signs on the board")
+    assert not legend.get_by_text("wide").is_visible()
+    tab.page.locator("#open").set_input_files(tmp_path / "game.parquet")
+    tab.page.locator("#clock", has_text=" s").wait_for()
+    assert tab.page.locator(".mark.guaranteed").inner_text().endswith(f" {game.guarantee:.2f} s")
+    assert re.fullmatch(r"[125]0* m wide", legend.get_by_text("wide").inner_text())

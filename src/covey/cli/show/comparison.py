@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
@@ -43,5 +45,7 @@ def _table(title: str, rows: str, chosen: list[studies.PairedRatio]) -> Table:
 
 def _cell(score: studies.PairedRatio) -> str:
     value, error = score.relative
+    if math.isnan(value):
+        return "–*"  # fewer than two starts of which both games ended
     text = f"{value:.3f}" if error == 0.0 else f"{value:.3f} ±{error:.3f}".replace("±0", "±")
     return text + ("*" if score.starts < score.played else "")

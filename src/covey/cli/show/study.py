@@ -22,7 +22,7 @@ from covey.cli.shared.exit_status import MissingGamesError
 from covey.cli.shared.outputs import print_saved
 from covey.cli.show.comparison import print_comparison
 from covey.kernels.library.load import load_library
-from covey.model.units import counted
+from covey.model.units import counted, titled
 
 _HEADINGS = {"team_size": "team"}
 
@@ -83,13 +83,16 @@ def _print_cases(console: Console, result: studies.StudyResult) -> None:
     lines = studies.summary(result)
     table = Table(box=SIMPLE_HEAD, pad_edge=False)
     settings = list(lines[0].settings)
+    second = result.units.time
     stopped, valued = any(line.stopped for line in lines), lines[0].value is not None
+    for name in settings:
+        heading = titled(_HEADINGS.get(name, name.replace("_", " ")), result.unit_of(name))
+        table.add_column(heading, justify="right", overflow="fold")  # where a name is long
     for heading in (
-        *(_HEADINGS.get(name, name.replace("_", " ")) for name in settings),
-        "guaranteed",
-        "survival time",
+        titled("guaranteed", second),
+        titled("survival time", second),
         "relative",
-        *(["value"] if valued else []),
+        *([titled("value", second)] if valued else []),
         *(["stopped"] if stopped else []),
     ):
         table.add_column(heading, justify="right", no_wrap=True)

@@ -16,7 +16,8 @@ from covey.kernels.contingent.delays import (
 )
 from covey.kernels.contingent.minimum import TIME, new_levels
 from covey.kernels.contingent.tree import Tree, answer_to
-from covey.model.display import html_table, one_line
+from covey.model.display import html_row, one_line, quantity
+from covey.model.units import titled, units_with
 from covey.planning.contingent.moment import Moment, after_capture
 from covey.planning.contingent.search import problem_of
 from covey.planning.workspace import workspace
@@ -40,6 +41,8 @@ class DelayedGuarantee:
         Guaranteed, however late the pursuer makes each capture.
     resolution : float
         The least over all delays lies between `survival_time` and this much above.
+    unit : str
+        Of the team's lengths; with one, both times are in seconds.
 
     Examples
     --------
@@ -53,16 +56,29 @@ class DelayedGuarantee:
 
     survival_time: float
     resolution: float
+    unit: str = ""
 
     def __repr__(self) -> str:
         """Return both numbers in one line."""
-        return one_line("DelayedGuarantee", **vars(self))
+        second = units_with(self.unit).time
+        return one_line(
+            "DelayedGuarantee",
+            survival_time=quantity(self.survival_time, second),
+            resolution=quantity(self.resolution, second),
+        )
 
     def _repr_html_(self) -> str:
-        return html_table("DelayedGuarantee", {name: [value] for name, value in vars(self).items()})
+        second = units_with(self.unit).time
+        facts = {
+            titled("survival time", second): self.survival_time,
+            titled("resolution", second): self.resolution,
+        }
+        return html_row("DelayedGuarantee", facts)
 
 
-def with_delays(moment: Moment, tree: Tree, survival_time: float) -> DelayedGuarantee:
+def with_delays(
+    moment: Moment, tree: Tree, survival_time: float, unit: str = ""
+) -> DelayedGuarantee:
     """Return what a tree guarantees with delays; without, it guarantees the given time.
 
     The certified search of `kernels.contingent.delays`, for a target below the earliest end of a
@@ -77,7 +93,7 @@ def with_delays(moment: Moment, tree: Tree, survival_time: float) -> DelayedGuar
         finest = _FINEST * finer * resolution * earliest * moment.pursuit.speed
         search.counters[VISITED] = 0
         if survives_delays(problem, tree, search._replace(target=target, finest=finest), scratch):
-            return DelayedGuarantee(target, earliest - target)
+            return DelayedGuarantee(target, earliest - target, unit)
         end = _end_of_play(moment, tree, search)
         if end < earliest * (1.0 - 1e-9):
             earliest = end
@@ -85,7 +101,7 @@ def with_delays(moment: Moment, tree: Tree, survival_time: float) -> DelayedGuar
             resolution, finer = _COARSER * resolution, 1.0
         else:
             finer *= _FINER
-    return DelayedGuarantee(0.0, earliest)
+    return DelayedGuarantee(0.0, earliest, unit)
 
 
 def _new_search(n: int) -> DelaySearch:

@@ -16,7 +16,8 @@ from covey.kernels.contingent.tree import Tree, answer_to, tree_sizes
 from covey.kernels.maximum.working_set import WorkingSet
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.angles import wrap_angle
-from covey.model.display import html_table, one_line
+from covey.model.display import html_table, one_line, quantity
+from covey.model.units import units_with
 from covey.model.validation import Floats, read_only, whole_number
 from covey.model.value import Value
 from covey.planning.contingent.delays import DelayedGuarantee, with_delays
@@ -98,7 +99,7 @@ class ContingentPlan(Value):
         """Return what is guaranteed, how many captures are answered, and how the search ended."""
         return one_line(
             "ContingentPlan",
-            survival_time=self.survival_time,
+            survival_time=quantity(self.survival_time, units_with(self.node.unit).time),
             evaders=len(self.turns),
             depth=self.depth,
             critical_sequences=len(self.critical_sequences),
@@ -108,8 +109,8 @@ class ContingentPlan(Value):
     def _repr_html_(self) -> str:
         columns = {
             "evader": self.evaders,
-            "turn": self.turns.tolist(),
-            "goal heading": self.goal_headings.tolist(),
+            "turn (rad)": self.turns.tolist(),
+            "goal heading (rad)": self.goal_headings.tolist(),
         }
         return html_table(repr(self), columns)
 
@@ -126,7 +127,8 @@ class ContingentPlan(Value):
         pursuit = self.node.moment.pursuit
         center = self.node.origin + np.array([pursuit.center_x, pursuit.center_y])
         reach = 0.5 * pursuit.later_radius
-        return PursuerDisk(center, pursuit.first_radius - reach, pursuit.speed, reach)
+        radius = pursuit.first_radius - reach
+        return PursuerDisk(center, radius, pursuit.speed, reach, unit=self.node.unit)
 
     @cached_property
     def with_delays(self) -> DelayedGuarantee:
@@ -142,7 +144,7 @@ class ContingentPlan(Value):
         """
         moment, turns, depth, *_ = self.node
         tree = Tree(turns, depth, tree_sizes(len(self.turns), depth))
-        return with_delays(moment, tree, self.survival_time)
+        return with_delays(moment, tree, self.survival_time, self.node.unit)
 
     def after(self, i: int) -> ContingentPlan:
         """Return the plan of those left once evader i was captured as early as it can be first.

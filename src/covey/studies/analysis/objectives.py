@@ -12,11 +12,11 @@ from covey.model.validation import Floats
 from covey.studies.analysis.paired_ratios import (
     Comparison,
     PairedRatio,
-    labels,
     ratios_by_size,
     varies_alone,
 )
 from covey.studies.running.results import StudyResult
+from covey.studies.running.tables import labels
 
 _SIDES = ("team_size", "sensing", "objective", "pursuer")  # in the order of the grid
 MEASURES = ("first capture", "mean survival", "last capture")

@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from covey.model.validation import Floats
-from covey.studies.running.tables import described_text
 from covey.studies.statistics import UNKNOWN, Z95, Estimate
 
 
@@ -60,15 +59,6 @@ def ratios_by_size(
     for k, size in enumerate(sizes):
         yield PairedRatio(*cell, size, *_mean_ratio(own[:, [k]], reference[:, [k]]), len(own))
     yield PairedRatio(*cell, None, *_mean_ratio(own, reference), len(own))
-
-
-def labels(strategies: Sequence[dict[str, Any]]) -> list[str]:
-    """Return the names of strategies, with parameters where several have the same name."""
-    names = [strategy["name"] for strategy in strategies]
-    return [
-        name if names.count(name) == 1 else described_text(strategy)
-        for name, strategy in zip(names, strategies, strict=True)
-    ]
 
 
 def _mean_ratio(own: Floats, reference: Floats) -> tuple[Estimate, int]:

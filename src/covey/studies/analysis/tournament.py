@@ -11,11 +11,11 @@ import numpy as np
 from covey.studies.analysis.paired_ratios import (
     Comparison,
     PairedRatio,
-    labels,
     ratios_by_size,
     varies_alone,
 )
 from covey.studies.running.results import StudyResult
+from covey.studies.running.tables import labels
 
 _SIDES = ("team_size", "sensing", "evaders", "pursuer")  # in the order of the grid
 

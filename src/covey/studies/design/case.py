@@ -30,6 +30,16 @@ class Case(NamedTuple):
 
 
 GRID = Case._fields
+UNITS_OF = {
+    "speed": "speed",
+    "turn_rate": "turn_rate",
+    "turn_radius": "length",
+    "pursuer_speed": "speed",
+    "disk_radius": "length",
+    "capture_radius": "length",
+    "update_time": "time",
+}
+"""Of which of the `Units` the fields of the grid with units are."""
 
 
 class InitialState(NamedTuple):

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from pydantic import Field, ValidationError, create_model
 
-from covey.scenarios.about import LENGTH, SPEED, TIME, TURN_RATE, About
+from covey.scenarios.about import LENGTH, SPEED, TIME, TURN_RATE, UNIT, About
 from covey.scenarios.mistakes import Mistake, mistakes_of
 from covey.scenarios.one_or_many import OneOrMany
 from covey.scenarios.samplers import HEADINGS, SHAPES, Disk, Formation, Square
@@ -22,6 +22,7 @@ from covey.scenarios.values import (
     Radius,
     Rate,
     TeamSize,
+    UnitName,
     Whole,
 )
 from covey.simulation.settings import SENSING
@@ -63,6 +64,7 @@ _TYPES: dict[str, Any] = {
         About("How starts are drawn.", {"name": "square", "side": 1.0, "headings": "away"}),
     ],
     "trajectories": Annotated[Flag, About("Whether the course of every game is kept.", True)],
+    "unit": Annotated[UnitName, UNIT],
     "team_size": Annotated[OneOrMany[TeamSize], About("Number of evaders.", [3, 5])],
     "speed": Annotated[OneOrMany[NotNegative], About("Speed of every evader.", 0.25, SPEED)],
     "turn_rate": Annotated[

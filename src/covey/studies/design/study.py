@@ -26,7 +26,7 @@ from covey.studies.design.start_table import FromFile
 class Study(Value):
     """Many games: every start in every case of a grid, so that all comparisons are paired.
 
-    The first four are single values. Each of the others is a value or a sequence of values, and
+    The first five are single values. Each of the others is a value or a sequence of values, and
     every combination is a case.
 
     Parameters
@@ -39,6 +39,9 @@ class Study(Value):
         How they are drawn: `Square`, `Disk`, `Formation`, `FromFile`.
     trajectories
         Whether the course of every game is kept too.
+    unit
+        The unit of all lengths, "m" for example, as in `Team`: tables and pictures of the study
+        name the units.
     team_size
         Evaders, 1 to 20.
     speed
@@ -72,6 +75,7 @@ class Study(Value):
     seed: int = 0
     sampler: Sampler = Square()  # noqa: RUF009 frozen
     trajectories: bool = False
+    unit: str = ""
     team_size: Any = 5
     speed: Any = 0.25
     turn_rate: Any = None

@@ -1,6 +1,6 @@
 """Study files: TOML in, with all its mistakes told at once, and a study out.
 
-starts, seed, sampler, trajectories
+starts, seed, sampler, trajectories, unit
 [grid]      team_size, speed, turn_rate or turn_radius, pursuer_speed, disk_radius,
             capture_radius, update_time, sensing, objective, evaders, pursuer:
             each a value or a list of values

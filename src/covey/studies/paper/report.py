@@ -221,6 +221,9 @@ the versions and the machine ({told}; {machine["processor"]}, {machine["system"]
 
 
 def _estimate(each: Estimate) -> str:
+    """Write a number with its uncertainty, which a single start doesn't tell."""
+    if math.isnan(each.error):
+        return f"{each.value:.3f}"
     return f"{each.value:.3f} ± {each.error:.3f}"
 
 

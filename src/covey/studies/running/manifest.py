@@ -10,7 +10,7 @@ from typing import Any
 
 from covey.kernels.arrays import MOST_IN_GAMES
 from covey.model import InputError, LastCapture
-from covey.model.validation import choice, shown, whole_number
+from covey.model.validation import choice, shown, unit_name, whole_number
 from covey.scenarios.angles import Angle
 from covey.simulation.files import whole_file
 from covey.simulation.settings import SENSING
@@ -98,8 +98,9 @@ def extent_of(manifest: Mapping[str, Any], number: int) -> Extent:
 
 
 def _complete(manifest: dict[str, Any]) -> None:
-    """Add what early versions of covey did not write down: they knew one objective, no radii."""
+    """Add what early versions did not write down: they knew one objective, no radii, no units."""
     grid = manifest["study"]["grid"]
+    manifest["study"].setdefault("unit", "")
     grid.setdefault("objective", [LastCapture().describe()])
     grid.setdefault("turn_radius", [None])
     manifest.setdefault("typed", {})
@@ -116,6 +117,7 @@ def _require_counts(manifest: Mapping[str, Any]) -> None:
         raise ValueError(f"expected cases, games, parts to be {wanted}, got {shown(came)}")
     if not isinstance(study["trajectories"], bool) or not isinstance(manifest["versions"], dict):
         raise TypeError("expected trajectories: true or false, versions: a table")
+    unit_name("unit", study["unit"])
 
 
 def _require_grid(grid: Mapping[str, Any]) -> None:

@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 
 from covey.model import InputError
 from covey.model.display import html_facts
-from covey.model.units import counted
+from covey.model.units import Units, counted, titled, units_with
 from covey.simulation.data_frame import frame_of_table
-from covey.studies.design.case import GRID
+from covey.studies.design.case import GRID, UNITS_OF
 from covey.studies.running.manifest import NAME, extent_of, read_manifest
 from covey.studies.running.parts import DamagedPartError, read_part
 from covey.studies.running.result_files import kinds, part_files
-from covey.studies.running.tables import GAMES, TRAJECTORIES
+from covey.studies.running.tables import GAMES, TRAJECTORIES, described_text, labels
 from covey.studies.statistics import Moments, moments_of
 
 if TYPE_CHECKING:
@@ -60,7 +60,10 @@ class StudyResult:
         return f"StudyResult({str(self.folder)!r}, {counted(self.manifest['games'], 'game')})"
 
     def _repr_html_(self) -> str:
-        return html_facts(repr(self), self.study["grid"])
+        grid = self.study["grid"]
+        return html_facts(
+            repr(self), {titled(name, self.unit_of(name)): grid[name] for name in grid}
+        )
 
     @property
     def study(self) -> dict[str, Any]:
@@ -75,11 +78,32 @@ class StudyResult:
         return [dict(zip(GRID, combination, strict=True)) for combination in product(*values)]
 
     def text_of(self, name: str, value: Any) -> str:
-        """Return a value of a field of the grid as it was typed: "pi/2", not 1.571."""
+        """Return a value of a field of the grid as it was typed: "pi/2", not 1.571.
+
+        Of a strategy or an objective that `summary` describes, the name, if no other has the same.
+        """
         typed = self.manifest["typed"].get(name)
         if typed is not None:
             return str(typed[self.study["grid"][name].index(value)])
+        given = self.study["grid"][name]
+        if isinstance(given[0], dict):
+            return dict(zip(map(described_text, given), labels(given), strict=True))[value]
         return f"{value:.4g}" if isinstance(value, float) else str(value)
+
+    @property
+    def units(self) -> Units:
+        """What tables and pictures write beside lengths, times, speeds and turn rates."""
+        return units_with(self.study["unit"])
+
+    def unit_of(self, name: str) -> str:
+        """Return the unit of a field of the grid, "" if none is known.
+
+        Turn rates that were typed as angles are shown as they were typed, in degrees for example.
+        """
+        if name not in UNITS_OF or name in self.manifest["typed"]:
+            return ""
+        unit: str = getattr(self.units, UNITS_OF[name])
+        return unit
 
     def case_number(self, **fields: Any) -> int:
         """Return the number of the only case with these fields.

@@ -8,7 +8,7 @@ null.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -66,6 +66,15 @@ def described_text(strategy: Mapping[str, Any]) -> str:
     """Write the description of a strategy in one line: name (parameter = value, ...)."""
     parameters = ", ".join(f"{k} = {json.dumps(v)}" for k, v in strategy.items() if k != "name")
     return f"{strategy['name']} ({parameters})" if parameters else str(strategy["name"])
+
+
+def labels(strategies: Sequence[dict[str, Any]]) -> list[str]:
+    """Return the names of strategies, with parameters where several have the same name."""
+    names = [strategy["name"] for strategy in strategies]
+    return [
+        name if names.count(name) == 1 else described_text(strategy)
+        for name, strategy in zip(names, strategies, strict=True)
+    ]
 
 
 def schema(kind: str, size: int) -> pa.Schema:

@@ -95,7 +95,7 @@ def draw_gains(
 
 def _top(panels: Iterable[Mapping[int, Curve]]) -> float:
     ends = [
-        float(np.max(np.add(curve.ratios, curve.errors)))
+        float(np.max(np.add(curve.ratios, np.nan_to_num(curve.errors))))  # nan: of a single start
         for curves in panels
         for curve in curves.values()
     ]

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from covey.model import InputError
 from covey.model.units import counted
@@ -117,6 +118,7 @@ def _draw_panel(axes: Axes, values: Floats, edges: Floats) -> Ints:
     axes.axvline(0.9, **style.GUIDE)
     axes.set_xlim(edges[0], edges[-1])
     axes.set_ylabel("starts", labelpad=3)
+    axes.yaxis.set_major_locator(MaxNLocator("auto", steps=[1, 2, 2.5, 5, 10], integer=True))
     axes.spines[["top", "right"]].set_visible(False)
     return counts
 

@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from covey.model import InputError
+from covey.model.units import titled, with_unit
 from covey.studies import (
     Comparison,
     Gains,
@@ -22,7 +23,7 @@ from covey.views.charts.comparison import Ratio, draw_comparison
 from covey.views.charts.gains import Curve, draw_gains
 from covey.views.charts.ratios import draw_ratios
 
-_MEANS = "mean survival time, ± 95 % confidence"
+_MEANS = "mean {time}, ± 95 % confidence"
 
 
 def draw_study(
@@ -82,7 +83,8 @@ def draw_study(
         return draw_ratios(survival_ratios(result), **sheet)
     if "turn_rate" in varying and varying <= {"team_size", "sensing", "turn_rate"}:
         return _draw_gains(result, sheet)
-    return draw_comparison(list(_means(result)), _MEANS, reference=None, **sheet)
+    label = _MEANS.format(time=titled("survival time", result.units.time))
+    return draw_comparison(list(_means(result)), label, reference=None, **sheet)
 
 
 def _compared(compared: Comparison, result: StudyResult) -> list[Ratio]:
@@ -118,7 +120,7 @@ def _means(result: StudyResult) -> Iterator[Ratio]:
     for line in summary(result):
         case = result.cases[line.case]
         others = {
-            name: result.text_of(name, value)
+            name: with_unit(result.text_of(name, value), result.unit_of(name))
             for name, value in line.settings.items()
             if name not in ("team_size", "sensing")
         }

@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import combinations
 from string import ascii_lowercase
 from typing import Any, NamedTuple, cast
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 from matplotlib.ticker import MaxNLocator, NullLocator
 
 from covey.model.units import titled
 from covey.model.validation import Floats
 from covey.views.kit.page import TITLE, Page, Sheet, add_axes, new_figure, new_page
-from covey.views.kit.style import COLUMN_WIDTH
+from covey.views.kit.style import COLUMN_WIDTH, TEXT_SIZE
 
 _LEAST_SIDE = 0.5
 """Of a map, inches."""
+_SMALL_SIDE = 0.8
+"""Of a map with few numbers at its axes, inches."""
 _LETTER = 0.2
 """Height of the name of an axis, inches."""
 
@@ -65,8 +69,9 @@ def set_view(axes: Axes, camera: Camera, *, ticks: bool = True) -> None:
     axes.set_aspect("equal")
     axes.set_xlim(x - half, x + half)
     axes.set_ylim(y - half, y + half)
+    most = 4 if axes.get_window_extent().width > _SMALL_SIDE * axes.figure.dpi else 2
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10]) if ticks else NullLocator())
+        axis.set_major_locator(MaxNLocator(most, steps=[1, 2, 5, 10]) if ticks else NullLocator())
     if ticks:
         axes.ticklabel_format(style="plain", useOffset=False)
     axes.autoscale(enable=False)
@@ -97,13 +102,24 @@ def name_axes(axes: Axes, unit: str, *, below: bool = True, beside: bool = True)
 def maps_in_rows(
     names: Sequence[str], columns: int, camera: Camera, unit: str, foot: float, sheet: Sheet
 ) -> tuple[Page, list[Axes]]:
-    """Square maps with names, all through one camera; `foot` inches below them stay free."""
+    """Square maps with names, all through one camera; `foot` inches below them stay free.
+
+    There are at most so many columns: as many as leave room for the names, or those in which the
+    maps are largest. Where a map is narrower than its name, the name is written smaller.
+    """
     numbers, right = margins(camera)
     left, gap, above = numbers + _LETTER, 0.08, 0.20
-    side = (sheet.width - left - right - (columns - 1) * gap) / columns
-    rows = -(-len(names) // columns)
     room = sheet.height - foot - (TITLE if sheet.title else 0.0)
-    side = max(min(side, room / rows - above), _LEAST_SIDE)
+
+    def side_in(columns: int) -> float:
+        across = (sheet.width - left - right - (columns - 1) * gap) / columns
+        return max(min(across, room / -(-len(names) // columns) - above), _LEAST_SIDE)
+
+    widest = _width_of_titles(names)
+    possible = range(columns, 0, -1)
+    largest = max(possible, key=side_in)
+    columns = next((each for each in possible if side_in(each) >= widest), largest)
+    side, rows = side_in(columns), -(-len(names) // columns)
     page = new_page(sheet, foot + rows * (side + above))
     left += 0.5 * (sheet.width - left - right - columns * side - (columns - 1) * gap)
     maps = []
@@ -115,9 +131,32 @@ def maps_in_rows(
         lowest = k + columns >= len(names)
         axes.tick_params(labelleft=across == 0, labelbottom=lowest)
         name_axes(axes, unit, below=lowest, beside=across == 0)
-        axes.set_title(name, loc="left", pad=3)
+        axes.set_title(name, loc="left", pad=3, fontsize=TEXT_SIZE * min(1.0, side / widest))
         maps.append(axes)
+    if _touch(maps):
+        for k, axes in enumerate(maps):
+            axes.tick_params(labelbottom=k % columns == 0 and k + columns >= len(names))
     return page, maps
+
+
+def _width_of_titles(names: Sequence[str]) -> float:
+    """Inches that the widest of some titles takes, measured."""
+    axes = add_axes(new_figure(COLUMN_WIDTH, COLUMN_WIDTH), 0.0, 0.0, 1.0, 1.0)
+    titles = (axes.text(0.0, 0.0, name, fontsize=TEXT_SIZE) for name in names)
+    return max(float(each.get_window_extent().width) / axes.figure.dpi for each in titles)
+
+
+def _touch(maps: Sequence[Axes]) -> bool:
+    """Whether numbers below some maps touch each other: those of neighbours are as high."""
+    boxes = [number.get_window_extent() for axes in maps for number in _numbers_below(axes)]
+    return any(one.overlaps(other) for one, other in combinations(boxes, 2))
+
+
+def _numbers_below(axes: Axes) -> list[Text]:
+    """Return the numbers that stand below a map; matplotlib keeps others, outside of the view."""
+    low, high = axes.get_xlim()
+    numbers = [each for each in axes.get_xticklabels() if each.get_visible()]
+    return [each for each in numbers if low <= each.get_position()[0] <= high]
 
 
 def single_map(

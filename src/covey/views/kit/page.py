@@ -11,6 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from covey.model.validation import number
+from covey.views.kit.style import COLUMN_WIDTH, SMALL_TEXT_SIZE
 
 TITLE = 0.22
 """Headroom for a title."""
@@ -60,7 +61,9 @@ class Page(NamedTuple):
         return self.axes.inset_axes(shares)
 
     def legend(self, *args: Any, **properties: Any) -> None:
-        """Add a legend to the whole page."""
+        """Add a legend to the whole page, smaller on a page that is less than a column wide."""
+        size = SMALL_TEXT_SIZE * min(1.0, self.width / COLUMN_WIDTH)
+        properties = {"fontsize": size} | properties
         (self.axes or self.figure).legend(*args, **properties)
 
     def text(self, left: float, bottom: float, text: str, **properties: Any) -> None:

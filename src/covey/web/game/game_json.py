@@ -31,6 +31,7 @@ def header(game: Game) -> Json:
         "pursuer_speed": game.disk.speed,
         "capture_radius": game.disk.capture_radius,
         "sensing": game.sensing,
+        "units": {"length": game.team.units.length, "time": game.team.units.time},
         "guarantee": game.guarantee,
         "sure": names.get("evaders") in _KEEPS_GUARANTEE,
         "strategies": names,

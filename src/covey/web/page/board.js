@@ -51,9 +51,14 @@ export class Board {
     this.drawFlashes(now);
   }
 
+  // The side of a square of the grid.
+  get gridStep() {
+    return niceStep(70 / this.camera.scale);
+  }
+
   drawGrid() {
-    const { width, height, scale } = this.camera;
-    const step = niceStep(70 / scale);
+    const { width, height } = this.camera;
+    const step = this.gridStep;
     const [left, top] = this.camera.toPlane(0, 0);
     const [right, bottom] = this.camera.toPlane(width, height);
     this.stroke(this.palette.grid, 1);

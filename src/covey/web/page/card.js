@@ -66,9 +66,9 @@ export class Card {
     });
   }
 
-  watched(which, time, actions) {
+  watched(which, time, unit, actions) {
     const titles = { reference: "The best pursuer known", yours: "Your game", opened: "The record" };
-    const text = time === null ? "Not everybody was captured." : `The last was captured at ${short(time)}.`;
+    const text = time === null ? "Not everybody was captured." : `The last was captured at ${short(time, unit)}.`;
     this.show({ title: titles[which], text, actions, ready: true });
   }
 }

@@ -247,11 +247,13 @@ function drawMoment(moment, now, seconds) {
   const target = playback.isLive && state.game === "live" ? steering.target : null;
   board.draw(playback.film, moment, { beliefs: at("beliefs").checked, target, now });
   const { cast } = playback.film;
-  at("clock").textContent = short(moment.time || 0);
+  at("clock").textContent = short(moment.time || 0, cast.units.time);
   at("left-chip").textContent = `${moment.sequence.length} of ${cast.evaders} alive`;
   at("mode-chip").textContent = `${cast.sensing} pursuer`;
   at("clock-label").textContent = label(moment.time, cast);
   at("legend-disk").hidden = cast.sensing !== "hidden";
+  at("legend-grid").hidden = !cast.units.length;
+  at("grid-step").textContent = `${Number(board.gridStep.toPrecision(1))} ${cast.units.length} wide`;
   at("back").hidden = at("rate-chip").hidden = true;
   at(state.watching ? "back" : "rate-chip").hidden = false;
   timeline.show({
@@ -261,13 +263,14 @@ function drawMoment(moment, now, seconds) {
     sure: cast.sure,
     reference: state.watching === "opened" ? null : state.reference,
     end: playback.isLive ? null : playback.film.end,
+    unit: cast.units.time,
   });
   showButtons();
 }
 
-function label(time, { guarantee, sure }) {
+function label(time, { guarantee, sure, units }) {
   const what = { reference: "the best pursuer known", yours: "replay of your game", opened: "record" }[state.watching];
-  return `${what ?? "survival time"}${time > guarantee ? `, ${difference(time, guarantee)} above the ${sure ? "guarantee" : "first plan"}` : ""}`;
+  return `${what ?? "survival time"}${time > guarantee ? `, ${difference(time, guarantee, units.time)} above the ${sure ? "guarantee" : "first plan"}` : ""}`;
 }
 
 function showButtons() {
@@ -279,7 +282,7 @@ function showButtons() {
 }
 
 function filmEnded() {
-  card.watched(state.watching, state.watchedTime, [
+  card.watched(state.watching, state.watchedTime, playback.film.cast.units.time, [
     ["Play yourself", () => (state.game === "over" ? newGame() : backToGame())],
     ["Watch again", playOrPause],
   ]);

@@ -9,7 +9,7 @@ export class Timeline {
   }
 
   // `end` of a film that can be scrubbed through, or null during a game.
-  show({ time, captures, guarantee, sure, reference, end }) {
+  show({ time, captures, guarantee, sure, reference, end, unit }) {
     const known = [guarantee, reference ?? 0, end ?? 0];
     const span = Math.max(1.2 * Math.max(...known), end === null ? 1.02 * time : 0) || 1;
     this.fill.style.width = `${(100 * time) / span}%`;
@@ -17,17 +17,17 @@ export class Timeline {
     this.scrub.max = span;
     if (end !== null) {
       this.scrub.value = time;
-      this.scrub.setAttribute("aria-valuetext", `time ${time.toFixed(2)} of ${end.toFixed(2)}`);
+      this.scrub.setAttribute("aria-valuetext", `time ${short(time)} of ${short(end, unit)}`);
     }
     const width = this.marks.clientWidth;
     const key = [span.toFixed(3), guarantee, sure, reference, captures.length, width].join();
     if (key === this.drawn) return;
     this.drawn = key;
-    const marks = [mark("guaranteed", guarantee / span, `${nameOf(sure)} ${short(guarantee)}`)];
+    const marks = [mark("guaranteed", guarantee / span, `${nameOf(sure)} ${short(guarantee, unit)}`)];
     if (reference !== null) {
       const early = Math.min(guarantee, reference) / span;
       const late = Math.max(guarantee, reference) / span;
-      marks.push(mark("reference", reference / span, `best known ${short(reference)}`));
+      marks.push(mark("reference", reference / span, `best known ${short(reference, unit)}`));
       // The words are outside of the two marks or, without room there, at the ends.
       const [first, last] = guarantee <= reference ? ["guaranteed", "reference"] : ["reference", "guaranteed"];
       const roomy = width * early > WORDS[first] && width * (1 - late) > WORDS[last];
@@ -53,10 +53,12 @@ export function nameOf(sure) {
 }
 
 // Of two times as they are shown: 5.23 is 0.39 above 4.84, whatever further digits say.
-export function difference(time, earlier) {
-  return short(Math.max(Number(short(time)) - Number(short(earlier)), 0));
+export function difference(time, earlier, unit) {
+  return short(Math.max(Number(short(time)) - Number(short(earlier)), 0), unit);
 }
 
-export function short(time) {
-  return (time >= 0.01 && time < 10000) || time === 0 ? time.toFixed(2) : time.toPrecision(3);
+// `unit` is "" where the game names none.
+export function short(time, unit = "") {
+  const number = (time >= 0.01 && time < 10000) || time === 0 ? time.toFixed(2) : time.toPrecision(3);
+  return unit ? `${number} ${unit}` : number;
 }
