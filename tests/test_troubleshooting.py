@@ -19,7 +19,8 @@ JOINED = {
     "envs/vector.py",  # of `_not_compiled`, which the page has
     "scenarios/mistakes.py",  # of mistakes, each of which the page has
     "studies/running/manifest.py",  # of differences
-    "web/messages.py",  # of mistakes of a message
+    "cli/commands/instances.py",  # of numbers that don't hold
+    "web/game/messages.py",  # of mistakes of a message
 }
 """Files in which a message is put together from others."""
 

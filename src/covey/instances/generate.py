@@ -76,7 +76,7 @@ def _reach(n: int) -> _Game:
 def _seen(n: int) -> _Game:
     """Return vehicles in metres and seconds, and a pursuer that was last seen 12 s ago."""
     disk = PursuerDisk.last_seen(
-        (2000.0, -1000.0), within=150.0, ago=12.0, speed=45.0, capture_radius=5.0
+        (2000.0, -1000.0), within=150.0, ago=12.0, speed=45.0, capture_radius=5.0, unit="m"
     )
     positions = disk.center + 3000.0 * _in_square(n, 5)
     return _away(positions, disk, speeds=20.0, turn_radii=60.0, unit="m")

@@ -50,8 +50,9 @@ def load_state(name: str) -> tuple[Team, PursuerDisk]:
     positions, headings, speeds, turn_rates = (
         [evader[key] for evader in evaders] for key in ("position", "heading", "speed", "turn_rate")
     )
-    team = Team(positions, headings, speeds, turn_rates, unit=document.get("unit", ""))
-    return team, PursuerDisk(**document["pursuer"])
+    unit = document.get("unit", "")
+    team = Team(positions, headings, speeds, turn_rates, unit=unit)
+    return team, PursuerDisk(**document["pursuer"], unit=unit)
 
 
 def _document(path: Path) -> dict[str, Any]:

@@ -57,7 +57,7 @@ def test_copies_do_not_take_the_words_along():
     for other in (copy.deepcopy(memory), pickle.loads(pickle.dumps(memory))):
         assert type(other) is type(memory)
         assert other.words != words
-        assert other.words[24:32] == struct.pack("=q", other.carved.ctypes.data)
+        assert other.words[32:40] == struct.pack("=q", other.carved.ctypes.data)
     assert memory._replace(size=1).words != words
 
 

@@ -33,7 +33,12 @@ def instance_as_json(instance: covey.Instance) -> dict[str, Any]:
     return {
         "name": instance.name,
         "unit": team.unit,
-        "pursuer": {**vars(disk), "center": disk.center.tolist()},
+        "pursuer": {
+            "center": disk.center.tolist(),
+            "radius": disk.radius,
+            "speed": disk.speed,
+            "capture_radius": disk.capture_radius,
+        },
         "evaders": {
             "positions": team.positions.tolist(),
             "headings": team.headings.tolist(),
