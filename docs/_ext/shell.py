@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import shlex
-import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -58,14 +57,12 @@ class Shell(PageDirective):
     """Commands, one a line.
 
     `:status:` is the exit status of each, by default 0. `:first:` is how many lines are shown.
-    `:interrupt:` is after how many seconds Ctrl-C is pressed.
     """
 
     has_content = True
     option_spec: ClassVar = {
         "status": directives.nonnegative_int,
         "first": directives.positive_int,
-        "interrupt": directives.positive_int,
     }
 
     def run(self) -> list[nodes.Node]:
@@ -78,22 +75,18 @@ class Shell(PageDirective):
     def _printed(self, line: str) -> list[str]:
         words = shlex.split(line, comments=True)
         program = [sys.executable, "-m", "covey"] if words[0] == "covey" else words[:1]
-        with subprocess.Popen(
+        done = subprocess.run(
             [*program, *words[1:]],
             cwd=self.folder,
             env=os.environ | ENVIRONMENT,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             encoding="utf-8",
-        ) as done:
-            try:
-                text, _ = done.communicate(timeout=self.options.get("interrupt"))
-            except subprocess.TimeoutExpired:
-                done.send_signal(signal.SIGINT)
-                text, _ = done.communicate()
+            check=False,
+        )
         if done.returncode != self.options.get("status", 0):
-            raise self.error(f"{line}: exit status {done.returncode}\n{text}")
-        printed = [each.rstrip() for each in text.splitlines()]
+            raise self.error(f"{line}: exit status {done.returncode}\n{done.stdout}")
+        printed = [each.rstrip() for each in done.stdout.splitlines()]
         first = self.options.get("first", len(printed))
         return printed[:first] + ["..."] * (first < len(printed))
 
