@@ -22,7 +22,7 @@ from covey.kernels.capture.path import position
 from covey.kernels.capture.pursuit import GrowingDisk
 from covey.kernels.maximum.multistart import multistart, refine
 from covey.kernels.maximum.working_set import copy_working_set
-from covey.planning.guarantee import paths_of, pursuit_of
+from covey.planning.border import paths_of, pursuit_of
 from interpreted import Watch
 from moments import moments
 from own import Compiled, planned, replanned

@@ -12,8 +12,8 @@ from covey.kernels.maximum.problem import Problem
 from covey.kernels.maximum.working_set import WorkingSet
 from covey.kernels.play.policy import replan
 from covey.kernels.play.rules import NOBODY, Rules, announce, fly, initial_state
+from covey.planning.border import pursuit_of
 from covey.planning.compiled_objective import compiled_objective
-from covey.planning.guarantee import pursuit_of
 from covey.planning.workspace import workspace
 from covey.players.teams.open_loop import first_memory
 

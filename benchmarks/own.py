@@ -18,8 +18,8 @@ from covey.kernels.maximum.multistart import RADIUS_RANDOM, RADIUS_WARM, multist
 from covey.kernels.maximum.problem import Iterate, Options, Problem
 from covey.kernels.maximum.working_set import new_working_set
 from covey.kernels.play.policy import UPDATE_STEPS
+from covey.planning.border import pursuit_of
 from covey.planning.compiled_objective import compiled_objective
-from covey.planning.guarantee import pursuit_of
 from covey.planning.multistart import MAX_STEPS
 from covey.planning.open_loop import DEFAULT_TOLERANCE
 from covey.planning.workspace import workspace

@@ -14,8 +14,8 @@ import numpy as np
 import covey
 from covey.kernels.maximum.initial_guesses import N_RANDOM
 from covey.kernels.maximum.problem import Problem
+from covey.planning.border import pursuit_of
 from covey.planning.compiled_objective import compiled_objective
-from covey.planning.guarantee import pursuit_of
 from covey.planning.multistart import NONE, Search
 from covey.planning.open_loop import DEFAULT_TOLERANCE, guess_uniforms
 

@@ -12,7 +12,7 @@ import numpy as np
 
 import covey
 from covey import simulation
-from covey.planning.guarantee import value_of_plan
+from covey.planning.expectation import value_of_plan
 from covey.players import survival
 from covey.players.compiled import checked_settings
 from soak import contingent, legal_game

@@ -18,7 +18,7 @@ from covey.kernels.bounds.fixed_sequence import (
     new_grids,
 )
 from covey.model.angles import wrap_angle
-from covey.planning.guarantee import pursuit_of
+from covey.planning.border import pursuit_of
 from random_games import fleeing, random_game
 
 

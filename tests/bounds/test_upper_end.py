@@ -19,7 +19,7 @@ from covey.bounds.polygon_bound import (
     turn_limits_known,
 )
 from covey.bounds.upper_end import earliest_end
-from covey.planning.guarantee import about_center
+from covey.planning.border import about_center
 from flights import ConstantBearing, fly
 from frames import ELSEWHERE
 from random_games import games, random_game, time_rounding

@@ -24,7 +24,7 @@ from covey.kernels.maximum.values import minimum_over_sequences
 from covey.kernels.minimum.greedy_sequence import greedy_sequence, nearest_first
 from covey.model import PursuerDisk
 from covey.planning import guarantee
-from covey.planning.guarantee import about_center, pursuit_of
+from covey.planning.border import about_center, pursuit_of
 from covey.planning.workspace import workspace
 
 

@@ -19,8 +19,8 @@ from covey.kernels.maximum.problem import Iterate, Options, Problem
 from covey.kernels.maximum.values import minimum_over_sequences
 from covey.kernels.maximum.working_set import new_working_set
 from covey.model import LastCapture, TotalSurvival
+from covey.planning.border import about_center, pursuit_of
 from covey.planning.compiled_objective import compiled_objective
-from covey.planning.guarantee import about_center, pursuit_of
 from covey.planning.workspace import LARGEST_KEPT, SMALL, workspace
 from random_games import random_game
 

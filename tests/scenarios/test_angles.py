@@ -10,7 +10,7 @@ import pickle
 import numpy as np
 import pytest
 
-from covey.scenarios.values import as_angle
+from covey.scenarios.values.kinds import as_angle
 from covey.studies import Study
 
 TYPED = [("pi/2", math.pi / 2), ("10 deg", math.radians(10)), ("2 pi", 2 * math.pi)]

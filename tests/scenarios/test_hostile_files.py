@@ -6,7 +6,7 @@ import pytest
 
 import covey
 from covey.scenarios import load_scenario
-from covey.scenarios.values import as_angle
+from covey.scenarios.values.kinds import as_angle
 from covey.studies import read_study
 
 EVADER = "[[team.evaders]]\nposition = [0.3, 0.1]\n"

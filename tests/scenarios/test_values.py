@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from covey.scenarios.values import as_angle, as_number, as_point, as_whole
+from covey.scenarios.values.kinds import as_angle, as_number, as_point, as_whole
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from covey.bounds.fixed_sequence import SequencePlan, plan_for_sequence
 from covey.kernels.bounds.fixed_sequence import first_captures, lay_grid, new_grid, next_captures
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Floats
-from covey.planning.guarantee import pursuit_of
+from covey.planning.border import pursuit_of
 
 _GRID_HEADINGS = 25
 """Headings of each evader on the grid on which sequences are compared."""

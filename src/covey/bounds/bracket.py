@@ -15,7 +15,7 @@ from covey.model.units import titled
 from covey.model.validation import Floats, read_only
 from covey.model.value import Value
 from covey.planning import ContingentPlan, Plan, plan, plan_contingent
-from covey.planning.guarantee import about_center
+from covey.planning.border import about_center
 
 _DEPTHS = {6: 2, 7: 2, 8: 1, 9: 1}
 """Captures that the contingent plan of larger teams answers by default: about a second's work."""

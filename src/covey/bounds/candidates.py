@@ -11,7 +11,7 @@ from covey.bounds.announced_sequence import sequences_on_grid
 from covey.bounds.polygon_bound import SPARSE, Opening, bound_near
 from covey.kernels.bounds.announced_sequences import FLIGHT, raise_lower_bounds
 from covey.model import PursuerDisk, Team
-from covey.planning.guarantee import pursuit_of
+from covey.planning.border import pursuit_of
 
 _ALL_UP_TO = 6
 """Evaders up to which all sequences are candidates; of more, those that a beam search finds."""

@@ -17,7 +17,8 @@ from covey.model.display import html_table, one_line, quantity
 from covey.model.units import titled, units_with
 from covey.model.validation import Floats, Ints, permutation, read_only
 from covey.model.value import Value
-from covey.planning.guarantee import about_center, capture_times, check_players, pursuit_of
+from covey.planning.border import about_center, check_players, pursuit_of
+from covey.planning.one_sequence import capture_times
 
 _TURN_TOLERANCE = 1e-9
 """Radians. At a maximum an error of the turns changes the last capture by its square."""

@@ -24,7 +24,7 @@ from covey.kernels.capture.path import EVADER
 from covey.model import PursuerDisk, Team
 from covey.model.angles import unit_vectors
 from covey.model.validation import Floats, Ints, read_only
-from covey.planning.guarantee import pursuit_of
+from covey.planning.border import pursuit_of
 
 _MOST_EVADERS = 7
 """Larger teams take many seconds, and gain little by one capture that is left open."""

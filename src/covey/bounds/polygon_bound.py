@@ -23,7 +23,7 @@ from covey.kernels.capture.path import sample
 from covey.model import PursuerDisk, Team
 from covey.model.angles import unit_vectors, wrap_angle
 from covey.model.validation import Floats, read_only
-from covey.planning.guarantee import longest_game, paths_of, pursuit_of
+from covey.planning.border import longest_game, paths_of, pursuit_of
 
 
 class Spacing(NamedTuple):

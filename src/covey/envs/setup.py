@@ -15,7 +15,7 @@ from covey.kernels.play.rules import Rules, State
 from covey.model import InputError, PursuerDisk, Team
 from covey.model.angles import away_from, unit_vectors
 from covey.model.validation import Floats, choice, frozen_array, number, whole_number
-from covey.planning.guarantee import check_game
+from covey.planning.border import check_game
 from covey.players import IterativeOpenLoop
 from covey.simulation import Settings
 from covey.simulation.settings import first_state

@@ -107,3 +107,8 @@ def run_all(
         executor.shutdown(cancel_futures=True)
         raise
     return [future.result() for future in futures]
+
+
+def deadline_after(time_limit: float | None) -> float:
+    """Return the moment so many seconds from now, by `time.perf_counter`; None: inf."""
+    return math.inf if time_limit is None else time.perf_counter() + time_limit

@@ -24,15 +24,11 @@ from covey.model.validation import (
     shown,
     whole_number,
 )
+from covey.planning.border import about_center, check_game, pursuit_of
 from covey.planning.compiled_objective import checked_objective, compiled_objective
-from covey.planning.guarantee import (
-    about_center,
-    check_game,
-    deadline_after,
-    pursuit_of,
-    value_of_plan,
-    worst_sequence,
-)
+from covey.planning.expectation import value_of_plan
+from covey.planning.guarantee import worst_sequence
+from covey.planning.long_calls import deadline_after
 from covey.planning.multistart import NONE, Ascents, Search
 from covey.planning.open_loop_plan import CRITICAL_WITHIN, PLAN_STATUS, Plan, PlanStatus
 

@@ -13,8 +13,8 @@ from covey.kernels.play.rules import State
 from covey.model import Objective, PursuerDisk, Team
 from covey.model.validation import LARGEST
 from covey.planning import Plan, plan
+from covey.planning.border import about_center, check_game, longest_game
 from covey.planning.compiled_objective import checked_objective
-from covey.planning.guarantee import about_center, check_game, longest_game
 from covey.planning.long_calls import interceptions_of, interruptible
 from covey.players.pursuers.committed import CommittedPursuer
 from covey.players.pursuers.fixed_order import BestSequence, FixedSequence, RandomSequence

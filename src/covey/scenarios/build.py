@@ -15,7 +15,7 @@ from covey.scenarios.schema import (
     ScenarioFile,
     TeamSection,
 )
-from covey.scenarios.values import AWAY
+from covey.scenarios.values.kinds import AWAY
 
 Point = tuple[float, float]
 

@@ -13,7 +13,7 @@ from covey.kernels.arrays import MOST_IN_GAMES
 from covey.model.validation import is_slower
 from covey.scenarios.mistakes import KeyPath, Mistake, look, wanted_but_got
 from covey.scenarios.schema import PursuerSection, TeamSection
-from covey.scenarios.values import (
+from covey.scenarios.values.kinds import (
     AWAY,
     as_not_negative,
     as_point,

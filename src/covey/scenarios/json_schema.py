@@ -7,7 +7,7 @@ from typing import Any
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import core_schema
 
-from covey.scenarios.value_types import Section
+from covey.scenarios.values.value_types import Section
 
 _DIALECT = "https://json-schema.org/draft/2020-12/schema"
 

@@ -14,10 +14,10 @@ from pydantic_core import ErrorDetails
 
 from covey.model import InputError
 from covey.model.units import counted
-from covey.scenarios import value_types
-from covey.scenarios.one_or_many import is_single
 from covey.scenarios.strategies import Named
-from covey.scenarios.value_types import Section, ValueType
+from covey.scenarios.values import value_types
+from covey.scenarios.values.one_or_many import is_single
+from covey.scenarios.values.value_types import Section, ValueType
 
 KeyPath = tuple[str | int, ...]
 """Keys and indices that lead to a value: ("team", "evaders", 2, "speed")."""

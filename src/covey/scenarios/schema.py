@@ -20,8 +20,7 @@ from covey.kernels.arrays import MOST_IN_GAMES
 from covey.model.team import DEFAULT_TURN_RATE
 from covey.scenarios.about import ANGLE, LENGTH, SPEED, TIME, TURN_RATE, UNIT, About
 from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Named
-from covey.scenarios.value_types import Section, one_of
-from covey.scenarios.values import (
+from covey.scenarios.values.kinds import (
     AWAY,
     Duration,
     Heading,
@@ -33,6 +32,7 @@ from covey.scenarios.values import (
     UnitName,
     Whole,
 )
+from covey.scenarios.values.value_types import Section, one_of
 from covey.simulation.settings import SENSING
 
 _NOT_BOTH_TURNS: JsonDict = {"not": {"required": ["turn_rate", "turn_radius"]}}

@@ -19,8 +19,7 @@ from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, cor
 from covey.model import objectives
 from covey.players import names
 from covey.scenarios.about import TIME, About
-from covey.scenarios.value_types import UNKNOWN_NAME, Section, one_of, one_of_words, wanted
-from covey.scenarios.values import (
+from covey.scenarios.values.kinds import (
     AtLeastOne,
     Margin,
     NotNegative,
@@ -30,6 +29,7 @@ from covey.scenarios.values import (
     Weights,
     Whole,
 )
+from covey.scenarios.values.value_types import UNKNOWN_NAME, Section, one_of, one_of_words, wanted
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from covey.model import InputError
 from covey.model.angles import unit_vectors
 from covey.model.validation import Floats, Ints, checked_array, choice, number, whole_number
-from covey.planning.guarantee import check_game
+from covey.planning.border import check_game
 from covey.simulation.record import Game, GameStatus
 from covey.simulation.settings import SENSING
 

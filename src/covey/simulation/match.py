@@ -17,8 +17,9 @@ from covey.kernels.play.game import (
 )
 from covey.kernels.play.rules import NOBODY, announce, fly, moves
 from covey.model import PursuerDisk, Team
+from covey.planning.border import about_center
 from covey.planning.compiled_objective import compiled_objective
-from covey.planning.guarantee import about_center, value_of_plan
+from covey.planning.expectation import value_of_plan
 from covey.planning.workspace import workspace
 from covey.simulation.build_record import Played, build_record
 from covey.simulation.information import (

@@ -17,8 +17,8 @@ from covey.kernels.contingent.minimum import new_levels, tree_value
 from covey.kernels.contingent.tree import Tree, tree_sizes
 from covey.kernels.maximum.problem import Problem
 from covey.model import LastCapture
+from covey.planning.border import about_center, pursuit_of
 from covey.planning.compiled_objective import compiled_objective
-from covey.planning.guarantee import about_center, pursuit_of
 from covey.planning.workspace import workspace
 
 

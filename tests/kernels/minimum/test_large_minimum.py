@@ -13,7 +13,7 @@ from covey.kernels.arrays import FINISH, SOLVED, STAGES_GIVEN, new_workspace
 from covey.kernels.capture.sequence import capture_times
 from covey.kernels.maximum.values import minimum_over_sequences
 from covey.kernels.minimum.large.scratch import LOWER
-from covey.planning.guarantee import about_center, paths_of, pursuit_of
+from covey.planning.border import about_center, paths_of, pursuit_of
 from random_games import random_game, random_turns
 
 

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 import covey
 from covey.bounds.polygon_bound import last_capture_bound
 from covey.bounds.upper_end import earliest_end
-from covey.planning.guarantee import about_center
+from covey.planning.border import about_center
 from covey.players.pursuers.parallel_approach import after_flight, approaches
 from random_games import fleeing, games, random_game
 

@@ -20,12 +20,14 @@ from covey.kernels.contingent.local_model import fit
 from covey.kernels.contingent.minimum import tree_minimum
 from covey.kernels.contingent.scratch import TreeScratch
 from covey.kernels.contingent.tree import Tree
-from covey.kernels.maximum.curvature import multipliers_changed
-from covey.kernels.maximum.local_model import (
+from covey.kernels.maximum.ascent.curvature import multipliers_changed
+from covey.kernels.maximum.ascent.local_model import (
     best_step,
     corrected_step,
     power_of_two_scale,
 )
+from covey.kernels.maximum.ascent.step import MIN_GAIN_RATIO
+from covey.kernels.maximum.ascent.trial import MIN_RADIUS, updated_radius
 from covey.kernels.maximum.problem import (
     CONVERGED,
     STALLED,
@@ -34,8 +36,6 @@ from covey.kernels.maximum.problem import (
     Options,
     Problem,
 )
-from covey.kernels.maximum.step import MIN_GAIN_RATIO
-from covey.kernels.maximum.trial import MIN_RADIUS, updated_radius
 from covey.kernels.maximum.working_set import WorkingSet, add
 from covey.kernels.minimum.inner_minimum import InnerScratch, inner_scratch
 

@@ -11,7 +11,7 @@ from covey.kernels.contingent.derivatives import branch_gradient, branch_hessian
 from covey.kernels.contingent.scratch import TreeScratch
 from covey.kernels.contingent.tree import Tree
 from covey.kernels.linalg.symmetric import cholesky, shifted_cholesky
-from covey.kernels.maximum.curvature import FARTHEST, penalise
+from covey.kernels.maximum.ascent.curvature import FARTHEST, penalise
 from covey.kernels.maximum.problem import Problem
 from covey.kernels.maximum.working_set import WorkingSet
 

@@ -13,7 +13,7 @@ from covey.kernels.contingent.minimum import Levels, new_levels
 from covey.kernels.contingent.tree import tree_sizes
 from covey.kernels.library.layout import kept
 from covey.kernels.linalg.active_set import QuadraticScratch
-from covey.kernels.maximum.local_model import ModelScratch
+from covey.kernels.maximum.ascent.local_model import ModelScratch
 from covey.kernels.maximum.working_set import WorkingSet
 
 

@@ -10,13 +10,23 @@ from covey.kernels._jit import compiled
 from covey.kernels.arrays import GO_ON, Floats
 from covey.kernels.capture.derivatives import add_curvature, differentiate
 from covey.kernels.capture.sequence import capture_times
-from covey.kernels.maximum.curvature import factor_hessian
-from covey.kernels.maximum.local_model import (
+from covey.kernels.maximum.ascent.curvature import factor_hessian
+from covey.kernels.maximum.ascent.local_model import (
     ModelScratch,
     best_step,
     captures_of,
     clear_hessian,
     power_of_two_scale,
+)
+from covey.kernels.maximum.ascent.trial import (
+    MIN_RADIUS,
+    AscentScratch,
+    accept,
+    best_escape_step,
+    evaluate,
+    longest_change,
+    try_step,
+    updated_radius,
 )
 from covey.kernels.maximum.problem import (
     CONVERGED,
@@ -27,16 +37,6 @@ from covey.kernels.maximum.problem import (
     Iterate,
     Options,
     Problem,
-)
-from covey.kernels.maximum.trial import (
-    MIN_RADIUS,
-    AscentScratch,
-    accept,
-    best_escape_step,
-    evaluate,
-    longest_change,
-    try_step,
-    updated_radius,
 )
 from covey.kernels.maximum.working_set import Evaluation
 

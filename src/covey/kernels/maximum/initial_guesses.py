@@ -10,9 +10,9 @@ import numpy as np
 from covey.kernels._jit import compiled
 from covey.kernels.arrays import GO_ON, Floats, Matrix, Vector
 from covey.kernels.capture.path import HEADING, TURN_RATE, X, Y, wrapped
+from covey.kernels.maximum.ascent.trial import AscentScratch
 from covey.kernels.maximum.local_maximum import exact_value
 from covey.kernels.maximum.problem import Problem
-from covey.kernels.maximum.trial import AscentScratch
 
 CANDIDATES = 8
 """Turn vectors that are evaluated for each guess; the ascent begins at the best of them."""

@@ -8,12 +8,12 @@ from covey.kernels._jit import compiled, inlined
 from covey.kernels.arrays import Floats
 from covey.kernels.capture.path import set_paths
 from covey.kernels.capture.sequence import objective_value
+from covey.kernels.maximum.ascent.large_team import solve_large
+from covey.kernels.maximum.ascent.oracle import is_large
+from covey.kernels.maximum.ascent.sqp import solve_sqp
+from covey.kernels.maximum.ascent.trial import AscentScratch, expected_value
 from covey.kernels.maximum.expected_value import maximise_expected
-from covey.kernels.maximum.large_team import solve_large
-from covey.kernels.maximum.oracle import is_large
 from covey.kernels.maximum.problem import Iterate, Options, Problem
-from covey.kernels.maximum.sqp import solve_sqp
-from covey.kernels.maximum.trial import AscentScratch, expected_value
 from covey.kernels.minimum.greedy_sequence import greedy_sequence, nearest_first
 from covey.kernels.minimum.inner_minimum import earlier_by_moves, inner_minimum
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from covey.kernels._jit import compiled, entry, inlined
 from covey.kernels.arrays import GO_ON, Floats, Matrix, Workspace, floats, rows
+from covey.kernels.maximum.ascent.trial import AscentScratch, ascent_scratch
 from covey.kernels.maximum.initial_guesses import (
     BATCH,
     ELITE,
@@ -24,7 +25,6 @@ from covey.kernels.maximum.problem import (
     Options,
     Problem,
 )
-from covey.kernels.maximum.trial import AscentScratch, ascent_scratch
 from covey.kernels.maximum.working_set import copy_working_set, working_set_scratch
 
 RADIUS_RANDOM = 0.6

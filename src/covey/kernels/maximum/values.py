@@ -6,8 +6,8 @@ from covey.kernels._jit import entry
 from covey.kernels.arrays import IntVector, Matrix, Vector, Workspace
 from covey.kernels.capture.path import set_paths
 from covey.kernels.capture.pursuit import Pursuit
+from covey.kernels.maximum.ascent.trial import ascent_scratch, evaluate
 from covey.kernels.maximum.problem import Problem
-from covey.kernels.maximum.trial import ascent_scratch, evaluate
 from covey.kernels.minimum.inner_minimum import inner_minimum, inner_scratch
 
 

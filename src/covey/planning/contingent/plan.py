@@ -20,10 +20,10 @@ from covey.model.display import html_table, one_line, quantity
 from covey.model.units import units_with
 from covey.model.validation import Floats, read_only, whole_number
 from covey.model.value import Value
+from covey.planning.border import about_center, check_game, pursuit_of
 from covey.planning.contingent.delays import DelayedGuarantee, with_delays
 from covey.planning.contingent.moment import Moment, after_capture
 from covey.planning.contingent.search import deeper_and_deeper, problem_of
-from covey.planning.guarantee import about_center, check_game, pursuit_of
 from covey.planning.open_loop import plan
 from covey.planning.open_loop_plan import CRITICAL_WITHIN, PLAN_STATUS, PlanStatus
 from covey.planning.workspace import workspace

@@ -13,7 +13,7 @@ from covey.bounds.polygon_bound import last_capture_bound
 from covey.bounds.upper_end import UpperEnd, earliest_end
 from covey.model import PursuerDisk, Team
 from covey.planning import capture_times
-from covey.planning.guarantee import about_center
+from covey.planning.border import about_center
 from covey.players.pursuers.parallel_approach import after_flight, approaches
 from covey.simulation import Chase, Fly, PursuerPolicy, Situation
 

@@ -10,7 +10,7 @@ import numpy as np
 from covey.kernels.play.commitment import Commitment, commit
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Ints
-from covey.planning.guarantee import paths_of, pursuit_of
+from covey.planning.border import paths_of, pursuit_of
 from covey.planning.workspace import workspace
 from covey.simulation import Chase, PursuerPolicy, Situation
 

@@ -18,7 +18,7 @@ from covey.kernels.play.first_contact import Flight, first_contact
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Floats
 from covey.planning import capture_times
-from covey.planning.guarantee import paths_of
+from covey.planning.border import paths_of
 from covey.simulation import Situation
 
 _MOST_CORRECTIONS = 20

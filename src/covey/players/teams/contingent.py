@@ -12,10 +12,10 @@ from covey.kernels.contingent.scratch import new_branches
 from covey.kernels.contingent.tree import answer_to
 from covey.kernels.maximum.working_set import WorkingSet
 from covey.model.validation import Floats, whole_number
+from covey.planning.border import pursuit_of
 from covey.planning.contingent import plan_contingent
 from covey.planning.contingent.moment import Moment
 from covey.planning.contingent.search import ascend, deepened
-from covey.planning.guarantee import pursuit_of
 from covey.players.teams.replan_interval import ReplanningTeam
 from covey.simulation import Situation, TeamPolicy
 from covey.simulation.strategy import in_any_frame

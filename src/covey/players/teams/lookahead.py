@@ -13,7 +13,7 @@ from covey.kernels.capture.path import PATH, sample, set_paths
 from covey.kernels.capture.pursuit import GrowingDisk
 from covey.model import PursuerDisk
 from covey.model.validation import Floats
-from covey.planning.guarantee import paths_of
+from covey.planning.border import paths_of
 from covey.simulation import Situation
 
 _GRID = np.linspace(-1.0, 1.0, 33)

@@ -14,8 +14,8 @@ from covey.kernels.maximum.problem import Problem
 from covey.kernels.play.policy import ReplanOptions, TeamMemory, forget, replan
 from covey.model.validation import MOST_STARTS, Floats, whole_number
 from covey.planning import Plan, plan
+from covey.planning.border import pursuit_of
 from covey.planning.compiled_objective import compiled_objective
-from covey.planning.guarantee import pursuit_of
 from covey.planning.multistart import MAX_STEPS
 from covey.planning.open_loop import (
     DEFAULT_STARTS,

@@ -9,11 +9,9 @@ from pydantic import Field, ValidationError, create_model
 
 from covey.scenarios.about import LENGTH, SPEED, TIME, TURN_RATE, UNIT, About
 from covey.scenarios.mistakes import Mistake, mistakes_of
-from covey.scenarios.one_or_many import OneOrMany
 from covey.scenarios.samplers import HEADINGS, SHAPES, Disk, Formation, Square
 from covey.scenarios.strategies import EVADERS, OBJECTIVES, PARAMETERS, PURSUERS, Entry, Named
-from covey.scenarios.value_types import Section, one_of
-from covey.scenarios.values import (
+from covey.scenarios.values.kinds import (
     AtLeastOne,
     FileName,
     Flag,
@@ -25,6 +23,8 @@ from covey.scenarios.values import (
     UnitName,
     Whole,
 )
+from covey.scenarios.values.one_or_many import OneOrMany
+from covey.scenarios.values.value_types import Section, one_of
 from covey.simulation.settings import SENSING
 from covey.studies.design.as_visible import VISIBLE_PURSUERS, AsVisible
 from covey.studies.design.case import GRID

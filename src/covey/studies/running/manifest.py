@@ -11,7 +11,7 @@ from typing import Any
 from covey.kernels.arrays import MOST_IN_GAMES
 from covey.model import InputError, LastCapture
 from covey.model.validation import choice, shown, unit_name, whole_number
-from covey.scenarios.angles import Angle
+from covey.scenarios.values.angles import Angle
 from covey.simulation.files import whole_file
 from covey.simulation.settings import SENSING
 from covey.studies.design.case import GRID

@@ -7,7 +7,7 @@ import numpy as np
 from covey.kernels.capture.path import sample
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Floats
-from covey.planning.guarantee import paths_of
+from covey.planning.border import paths_of
 
 _SAMPLES = 80
 """Points of a drawn path: enough that a full turn shows no corners."""

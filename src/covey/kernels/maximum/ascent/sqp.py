@@ -11,14 +11,28 @@ import math
 
 from covey.kernels._jit import compiled, inlined
 from covey.kernels.arrays import GO_ON
-from covey.kernels.maximum.curvature import HessianStatus, factor_hessian, multipliers_changed
-from covey.kernels.maximum.local_model import (
+from covey.kernels.maximum.ascent.curvature import (
+    HessianStatus,
+    factor_hessian,
+    multipliers_changed,
+)
+from covey.kernels.maximum.ascent.local_model import (
     ModelScratch,
     best_step,
     build_model,
     power_of_two_scale,
 )
-from covey.kernels.maximum.oracle import make_exact
+from covey.kernels.maximum.ascent.oracle import make_exact
+from covey.kernels.maximum.ascent.step import Model, Points, Progress, take_step
+from covey.kernels.maximum.ascent.trial import (
+    MIN_RADIUS,
+    AscentScratch,
+    accept,
+    best_escape_step,
+    evaluate,
+    longest_change,
+    updated_radius,
+)
 from covey.kernels.maximum.problem import (
     CONVERGED,
     STALLED,
@@ -27,16 +41,6 @@ from covey.kernels.maximum.problem import (
     Iterate,
     Options,
     Problem,
-)
-from covey.kernels.maximum.step import Model, Points, Progress, take_step
-from covey.kernels.maximum.trial import (
-    MIN_RADIUS,
-    AscentScratch,
-    accept,
-    best_escape_step,
-    evaluate,
-    longest_change,
-    updated_radius,
 )
 from covey.kernels.maximum.working_set import Evaluation
 

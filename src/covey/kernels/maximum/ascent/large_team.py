@@ -10,10 +10,10 @@ import math
 
 from covey.kernels._jit import compiled, inlined
 from covey.kernels.arrays import GO_ON
-from covey.kernels.maximum.oracle import add_minimum
+from covey.kernels.maximum.ascent.oracle import add_minimum
+from covey.kernels.maximum.ascent.sqp import solve_sqp
+from covey.kernels.maximum.ascent.trial import AscentScratch, evaluate
 from covey.kernels.maximum.problem import Iterate, Options, Problem
-from covey.kernels.maximum.sqp import solve_sqp
-from covey.kernels.maximum.trial import AscentScratch, evaluate
 from covey.kernels.minimum.large.scratch import LOWER
 
 _MOST_ASCENTS, _PATIENCE = 24, 6  # in all, and without a plan that guarantees more

@@ -9,8 +9,8 @@ from covey.kernels._jit import compiled, inlined
 from covey.kernels.arrays import Floats, Ints, Workspace, floats, ints
 from covey.kernels.capture.path import set_paths
 from covey.kernels.capture.sequence import capture_times, objective_value
-from covey.kernels.maximum.curvature import escape_count, escape_step
-from covey.kernels.maximum.local_model import ModelScratch, model_scratch
+from covey.kernels.maximum.ascent.curvature import escape_count, escape_step
+from covey.kernels.maximum.ascent.local_model import ModelScratch, model_scratch
 from covey.kernels.maximum.problem import COUNTERS, Iterate, Problem
 from covey.kernels.maximum.working_set import (
     Evaluation,

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
-from covey.kernels.maximum.curvature import HessianStatus
-from covey.kernels.maximum.local_model import corrected_step, linearise
-from covey.kernels.maximum.oracle import is_large, make_exact
+from covey.kernels.maximum.ascent.curvature import HessianStatus
+from covey.kernels.maximum.ascent.local_model import corrected_step, linearise
+from covey.kernels.maximum.ascent.oracle import is_large, make_exact
+from covey.kernels.maximum.ascent.trial import AscentScratch, evaluate, evaluate_sequence, try_step
 from covey.kernels.maximum.problem import Iterate, Options, Problem
-from covey.kernels.maximum.trial import AscentScratch, evaluate, evaluate_sequence, try_step
 from covey.kernels.maximum.working_set import Evaluation
 
 _MAX_CORRECTIONS = 3

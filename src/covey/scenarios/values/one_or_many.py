@@ -9,7 +9,7 @@ from pydantic import AfterValidator, BeforeValidator, GetJsonSchemaHandler, Vali
 from pydantic_core import CoreSchema, InitErrorDetails
 
 from covey.model import InputError
-from covey.scenarios.value_types import wanted
+from covey.scenarios.values.value_types import wanted
 
 
 def is_single(value: object) -> bool:

@@ -10,8 +10,8 @@ import math
 
 from covey.kernels._jit import compiled, inlined
 from covey.kernels.arrays import Floats
+from covey.kernels.maximum.ascent.trial import AscentScratch, evaluate_sequence
 from covey.kernels.maximum.problem import INNER_SOLVES, INTERCEPTIONS, Problem
-from covey.kernels.maximum.trial import AscentScratch, evaluate_sequence
 from covey.kernels.maximum.working_set import Evaluation, WorkingSet, add
 from covey.kernels.minimum.inner_minimum import earlier_by_moves, inner_minimum
 

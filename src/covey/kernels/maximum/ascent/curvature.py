@@ -11,7 +11,7 @@ from typing import NamedTuple
 from covey.kernels._jit import compiled, inlined
 from covey.kernels.arrays import Floats
 from covey.kernels.linalg.symmetric import cholesky, jacobi_eigen, make_positive
-from covey.kernels.maximum.local_model import ModelScratch
+from covey.kernels.maximum.ascent.local_model import ModelScratch
 from covey.kernels.maximum.working_set import WorkingSet
 
 _PENALTY = 20.0  # of the Hessian's size, across the active sequences

@@ -8,8 +8,8 @@ from typing import Annotated, Any
 
 from covey.kernels.arrays import MOST_IN_GAMES
 from covey.model.validation import LARGEST, LONGEST_UNIT, is_unit_name
-from covey.scenarios.angles import ANGLE_PATTERNS, Angle, radians_of
-from covey.scenarios.value_types import ValueType
+from covey.scenarios.values.angles import ANGLE_PATTERNS, Angle, radians_of
+from covey.scenarios.values.value_types import ValueType
 
 
 def as_number(value: object) -> float | None:
