@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import functools
+import math
 
 import numpy as np
 import pytest
 
 import covey
 from covey.kernels.arrays import new_workspace
+from covey.kernels.maximum.problem import Problem
 from covey.planning import workspace as workspaces
+from covey.planning.border import about_center, pursuit_of
+from covey.planning.compiled_objective import compiled_objective
+from covey.planning.multistart import NONE, Search
+from covey.planning.open_loop import guess_uniforms
 from random_games import random_game, random_turns
 
 
@@ -64,6 +70,26 @@ def test_a_warm_start_of_a_large_team_never_guarantees_less(without_tables):
         before = covey.guaranteed_survival(team, disk, turns).time
         after = covey.plan(team, disk, starts=1, warm_start=turns).survival_time
         assert after >= before * (1.0 - 1e-12)
+
+
+def test_a_refined_plan_guarantees_what_it_says_and_no_less(without_tables):
+    generator = np.random.default_rng(7)
+    refined = []
+    without_tables()
+    for _ in range(10):
+        team, disk = about_center(*random_game(generator, 7))
+        objective = compiled_objective(covey.LastCapture(), 7)
+        problem = Problem(team.as_rows(), pursuit_of(disk), objective)
+        search = Search(problem, 1e-9, guess_uniforms(0, 4, 7), math.inf)
+        best = search.run(NONE, 4)
+        exact = search.refine(best.iterate, best.value)
+        assert exact.value >= best.value
+        refined.append((team, disk, exact))
+    workspaces.new_workspace = new_workspace
+    workspaces._kept.__dict__.clear()
+    for team, disk, exact in refined:
+        worst = covey.guaranteed_survival(team, disk, exact.iterate.turns)
+        assert exact.value == pytest.approx(worst.time, rel=1e-12)
 
 
 def test_a_game_of_eighteen_lasts_as_long_as_the_first_plan_promises():

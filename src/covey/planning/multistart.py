@@ -103,14 +103,17 @@ class Search:
         values, turns = self._elite
         return [turns[k] for k in range(len(values)) if values[k] > -math.inf]
 
-    def refine(self, iterate: Iterate) -> Ascents:
-        """Ascend from a plan, which is overwritten."""
+    def refine(self, iterate: Iterate, value: float = -math.inf) -> Ascents:
+        """Ascend from a plan, which is overwritten; `value` is what its turns guarantee, if known.
+
+        The result never guarantees less.
+        """
         known = iterate.working_set.used[0] > 0
         radius = RADIUS_WARM if known else RADIUS_UNKNOWN_SET
         options = Options(radius, self._tolerance, MAX_STEPS)
 
         def ascend(scratch: Workspace) -> tuple[float, int, int, int]:
-            return refine(self._problem, self._uniforms, 0, options, -math.inf, iterate, scratch)
+            return refine(self._problem, self._uniforms, 0, options, value, iterate, scratch)
 
         found = interruptible(ascend, self._size, self._total, self._work, self._deadline)
         ascents = _ascents(found, iterate, 1)

@@ -155,7 +155,7 @@ def _best_of(search: Search, warm: Iterate | None, guesses: int) -> Ascents:
     if guesses > 0:
         best = search.run(best, guesses)
     if search.is_rough and best.in_time:
-        exact = search.refine(best.iterate)
+        exact = search.refine(best.iterate, best.value)
         best = exact._replace(starts=0).joined(best)
     return best
 

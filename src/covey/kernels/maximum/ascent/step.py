@@ -7,7 +7,7 @@ from typing import NamedTuple
 from covey.kernels._jit import compiled, inlined
 from covey.kernels.maximum.ascent.curvature import HessianStatus
 from covey.kernels.maximum.ascent.local_model import corrected_step, linearise
-from covey.kernels.maximum.ascent.oracle import is_large, make_exact
+from covey.kernels.maximum.ascent.oracle import make_exact
 from covey.kernels.maximum.ascent.trial import AscentScratch, evaluate, evaluate_sequence, try_step
 from covey.kernels.maximum.problem import Iterate, Options, Problem
 from covey.kernels.maximum.working_set import Evaluation
@@ -71,7 +71,7 @@ def take_step(
     float
         Value of the trial, exact if it is above the iterate's.
     float
-        Value of the iterate. A sequence that is added lowers it, unless it is exact.
+        Value of the iterate. A sequence that is added may lower it.
     """
     here, there, value, working_set = points.here, points.there, progress.value, iterate.working_set
     trial = try_step(problem, iterate, there, scratch)
@@ -87,8 +87,7 @@ def take_step(
             break
         added_value = evaluate_sequence(problem, working_set, added, here)
         linearise(problem, working_set, here, added, model.scale, scratch.model)
-        if not progress.is_exact or is_large(problem, scratch):
-            value = min(value, added_value)
+        value = min(value, added_value)
         if trial > value:
             break
     return trial, value
