@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from pathlib import Path
 
 import pytest
 
@@ -105,10 +106,13 @@ def test_all_mistakes_of_a_file_are_printed_under_its_name(capsys):
             "one.toml/a.parquet: can't be written: Not a directory",
         ),
         ("reproduce -o one.toml", "one.toml: expected a folder, got a file"),
+        ("reproduce -o new --starts 0", "study: starts: expected a whole number >= 1, got 0"),
+        ("reproduce -o new --workers 0", "workers: expected a whole number >= 1, got 0"),
     ],
 )
 def test_a_mistake_is_told_in_one_message(line, message, capsys):
     assert refused(capsys, line.split()).startswith(message)
+    assert not Path("new").exists()
 
 
 @pytest.mark.parametrize(

@@ -177,6 +177,17 @@ def test_a_wrong_pursuer_is_told(fault):
     assert advice in str(error.value)
 
 
+def test_what_cannot_be_copied_is_checked_all_the_same():
+    with pytest.raises(covey.InputError, match="^evaders: "):
+        check_strategy(evaders=re)
+
+    class Locked(covey.StraightAway):
+        def __deepcopy__(self, memo):
+            raise TypeError("a lock can't be copied")
+
+    check_strategy(evaders=Locked())
+
+
 def test_an_exception_leads_to_the_line_that_raised_it():
     with pytest.raises(covey.InputError) as error:
         check_strategy(evaders=TEAM_FAULTS["an exception"][0])

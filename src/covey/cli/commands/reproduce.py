@@ -16,7 +16,6 @@ from covey.cli.show.film import save_film
 from covey.cli.show.study import print_study, require_all_games, run_with_progress
 from covey.cli.show.tables import print_game
 
-_STUDIES = ("fig4", "fig4-assured", "fig5", "fig5-contingent")
 _GAINS = ("ratio", "ratio_error", "mean", "mean_error")
 
 
@@ -58,16 +57,27 @@ def reproduce(
 
         covey reproduce --output results
     """
-    from covey.simulation.files import make_folder  # only now, as it loads NumPy
+    from covey.model.validation import whole_number  # only now, as it loads NumPy
+    from covey.simulation.files import make_folder
 
-    for folder in (output, *(output / name for name in _STUDIES)):
+    if workers is not None:
+        whole_number("workers", workers, low=1)
+    chosen = {
+        "fig4": _study("fig4", starts),
+        "fig4-assured": _study("fig4-assured", _fewer(assured_starts, starts)),
+        "fig5": _study("fig5", starts),
+        "fig5-contingent": _study("fig5-contingent", _fewer(contingent_starts, starts)),
+    }
+    for folder in (output, *(output / name for name in chosen)):
         make_folder(folder)
     game = _reproduce_game(output)
-    fig4 = _study("fig4", output, starts, workers)
-    assured = _study("fig4-assured", output, _fewer(assured_starts, starts), workers)
+    fig4, assured = (
+        _result(chosen[name], output / name, workers) for name in ("fig4", "fig4-assured")
+    )
     _draw_ratios(output, fig4, assured)
-    fig5 = _study("fig5", output, starts, workers)
-    contingent = _study("fig5-contingent", output, _fewer(contingent_starts, starts), workers)
+    fig5, contingent = (
+        _result(chosen[name], output / name, workers) for name in ("fig5", "fig5-contingent")
+    )
     _draw_gains(output, fig5, contingent)
     write_text(output / "report.md", studies.report(game, fig4, assured, fig5, contingent))
 
@@ -123,11 +133,13 @@ def _draw_gains(folder: Path, fig5: studies.StudyResult, contingent: studies.Stu
     )
 
 
-def _study(name: str, folder: Path, starts: int | None, workers: int | None) -> studies.StudyResult:
+def _study(name: str, starts: int | None) -> studies.Study:
     study = studies.read_study(studies.example_path(name))
-    if starts is not None:
-        study = replace(study, starts=starts)
-    result = run_with_progress(study, folder / name, workers)
+    return study if starts is None else replace(study, starts=starts)
+
+
+def _result(study: studies.Study, folder: Path, workers: int | None) -> studies.StudyResult:
+    result = run_with_progress(study, folder, workers)
     print_study(result)
     require_all_games(result)
     return result
