@@ -178,7 +178,7 @@ def test_a_wrong_pursuer_is_told(fault):
 
 
 def test_what_cannot_be_copied_is_checked_all_the_same():
-    with pytest.raises(covey.InputError, match="^evaders: "):
+    with pytest.raises(covey.InputError, match=r"^evaders: "):
         check_strategy(evaders=re)
 
     class Locked(covey.StraightAway):
