@@ -23,14 +23,14 @@ from covey.kernels.linalg.symmetric import cholesky, make_positive
 from covey.kernels.maximum.values import minimum_over_sequences
 from covey.kernels.minimum.greedy_sequence import greedy_sequence, nearest_first
 from covey.model import PursuerDisk
-from covey.planning import guarantee
+from covey.planning import border
 from covey.planning.border import about_center, pursuit_of
 from covey.planning.workspace import workspace
 
 
 def paths_of(team, turns, pursuer_speed=1.0):
     """The paths (eq. 5) as the kernels read them."""
-    return guarantee.paths_of(team, PursuerDisk(speed=pursuer_speed), turns)
+    return border.paths_of(team, PursuerDisk(speed=pursuer_speed), turns)
 
 
 def place(team, turns, i, time):
