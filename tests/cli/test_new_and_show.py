@@ -98,9 +98,25 @@ def test_a_shell_learns_the_commands(shell, tmp_path, monkeypatch):
         assert name.replace("_", "-") in script
 
 
+def bash_completes(line: str) -> list[str]:
+    """Return what bash, in the folder of the test, offers for the last word of a line."""
+    words = line.split(" ")
+    asked = f"COMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; _covey"
+    answer = f'source ~/.bashrc; {asked}; echo "${{COMPREPLY[@]}}"'
+    done = subprocess.run(["bash", "-c", answer], capture_output=True, text=True, check=True)
+    return done.stdout.split()
+
+
 def test_bash_reads_what_was_written_for_it(tmp_path, monkeypatch):
     monkeypatch.setenv("HOME", str(tmp_path))
     assert main(["--install-completion", "--shell", "bash"]) == 0
-    asked = 'source ~/.bashrc; COMP_WORDS=(covey wor); COMP_CWORD=1; _covey; echo "${COMPREPLY[@]}"'
-    done = subprocess.run(["bash", "-c", asked], capture_output=True, text=True, check=True)
-    assert done.stdout == "worst-case\n"
+    assert bash_completes("covey wor") == ["worst-case"]
+
+
+@pytest.mark.parametrize("command", ["plan", "simulate", "worst-case", "study", "draw", "new"])
+def test_bash_completes_the_names_of_files(command, tmp_path, monkeypatch):
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.chdir(tmp_path)
+    Path("mine.toml").touch()
+    assert main(["--install-completion", "--shell", "bash"]) == 0
+    assert bash_completes(f"covey {command} mi") == ["mine.toml"]

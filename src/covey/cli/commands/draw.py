@@ -10,7 +10,7 @@ from cyclopts import Parameter
 
 import covey
 from covey import views
-from covey.cli.shared.arguments import Seed
+from covey.cli.shared.arguments import FileOrName, Seed
 from covey.cli.shared.outputs import check_output, print_saved
 from covey.cli.shared.sources import read_scenario_or_game
 from covey.cli.show.film import save_film
@@ -20,7 +20,7 @@ View = Literal["snapshots", "game", "plan", "tree", "animation"]
 
 def draw(
     file: Annotated[
-        str,
+        FileOrName,
         Parameter(
             name="FILE",
             help="Record of a game, or a scenario, which is played first: its file, or the name "
@@ -65,6 +65,7 @@ def draw(
         list[float] | None,
         Parameter(
             consume_multiple=True,
+            negative="",
             help="Moments of the view snapshots, as in --times 0 1.5 4; by default the start, a "
             "fifth and a half of the game, and its end.",
         ),

@@ -29,6 +29,7 @@ def score(
             "a Python module of this folder or an installed one.",
         ),
     ],
+    /,
     *names: Annotated[
         str, Parameter(name="NAME", help="Games of the set; by default all up to a size.")
     ],
@@ -39,6 +40,7 @@ def score(
         list[str] | None,
         Parameter(
             consume_multiple=True,
+            negative="",
             help="Strategies that come with covey and play the same games; by default "
             f"{', '.join(_BESIDE)}.",
         ),

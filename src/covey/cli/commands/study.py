@@ -9,7 +9,7 @@ from typing import Annotated, Any
 from cyclopts import Parameter
 
 from covey import studies
-from covey.cli.shared.arguments import Json
+from covey.cli.shared.arguments import FileOrName, Json
 from covey.cli.shared.outputs import results_folder
 from covey.cli.show.json_output import print_json
 from covey.cli.show.study import print_study, require_all_games, run_with_progress
@@ -17,7 +17,7 @@ from covey.cli.show.study import print_study, require_all_games, run_with_progre
 
 def study(
     file: Annotated[
-        str,
+        FileOrName,
         Parameter(
             name="FILE", help="Study, a TOML file; or the name of one that comes with covey."
         ),

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated
 
 from cyclopts import Parameter
 
+# What was typed, as text. With `Path` in the type the shell completes the names of files.
+FileOrName = str | Path
+
 ScenarioFile = Annotated[
-    str,
+    FileOrName,
     Parameter(name="FILE", help="Scenario, a TOML file; or the name of one that comes with covey."),
 ]
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import covey
+from covey.cli.shared.arguments import FileOrName
 
 
-def read_scenario(name: str, seed: int | None) -> covey.Scenario:
+def read_scenario(name: FileOrName, seed: int | None) -> covey.Scenario:
     """Load a scenario by the path of its file or, for one that comes with covey, by its name."""
     from covey.simulation.storage import is_parquet  # only now, as it loads NumPy
 
@@ -17,7 +18,7 @@ def read_scenario(name: str, seed: int | None) -> covey.Scenario:
     return covey.load_scenario(name, seed=seed)
 
 
-def read_scenario_or_game(name: str, seed: int | None) -> covey.Scenario | covey.Game:
+def read_scenario_or_game(name: FileOrName, seed: int | None) -> covey.Scenario | covey.Game:
     """Load a scenario, or the record of a game if the file is one."""
     from covey.simulation.storage import is_parquet  # only now, as it loads NumPy
 

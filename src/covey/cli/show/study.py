@@ -37,8 +37,9 @@ def run_with_progress(
         MofNCompleteColumn(),
         TextColumn("games"),
         TimeElapsedColumn(),
-        TextColumn("left"),
+        TextColumn("passed,"),
         TimeRemainingColumn(),
+        TextColumn("left"),
     )
     if dask is None:
         load_library()  # shows a bar of its own while it compiles
