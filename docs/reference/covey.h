@@ -337,7 +337,8 @@ int64_t covey_climb_mixture(const struct covey_climb_mixture_words *words, struc
 
    Better is an earlier last capture or, with `total`, a smaller sum of capture times. The margin
    is relative to what the present sequence still comes to. A pursuer without a sequence takes the
-   best. `paths` (n, PATH) are those of the living. */
+   best. Moves change the sequence against a team that is too large for an exact minimum at every
+   update. `paths` (n, PATH) are those of the living. */
 struct covey_commit_words {
     double *paths; int64_t paths_0, paths_1;
     double pursuit_center_x;
@@ -1344,7 +1345,8 @@ int64_t covey_refine(const struct covey_refine_words *words, struct covey_refine
    spent
        By how much the value of the last plan has fallen since.
    restarts
-       How many initial guesses are improved too.
+       How many initial guesses are improved too; none of a team that is too large for an exact
+       minimum at each step.
    turns
        (n,) still to be flown, radians; modified in place.
    workspace
@@ -1587,8 +1589,21 @@ int64_t covey_tree_value(const struct covey_tree_value_words *words, struct cove
 
 /* Write the state, the plan that is announced and its guarantee to the log's next row.
 
-   `intended` holds rows of the living: the order that the pursuer has in mind, as far as it is
-   known. Captured evaders stay where they were captured. */
+   Captured evaders stay where they were captured.
+
+   Parameters
+   ----------
+   log
+       Modified in place.
+   state, rules
+       Of the game; the paths of the state are those of the plan.
+   intended
+       Rows of the living: the order that the pursuer has in mind, as far as it is known.
+   promised
+       A time that the plan is known to guarantee; -inf: unknown. Only a team that is too large for
+       an exact minimum at every row needs it.
+   workspace
+       With room for all evaders; modified in place. */
 struct covey_write_row_words {
     int64_t *log_counters; int64_t log_counters_0; /* (3,) captures, rows, updates */
     int64_t *log_order; int64_t log_order_0; /* (N,) captured evaders */
@@ -1615,6 +1630,7 @@ struct covey_write_row_words {
     double rules_time_limit;
     int64_t rules_has_position; /* the pursuer is placed at the start, even where it is hidden */
     int64_t *intended; int64_t intended_0;
+    double promised;
     int64_t workspace_size; /* n: evaders that the scratch has room for */
     int64_t workspace_total; /* whether there is room for minima of sums, too */
     int64_t workspace_fewest_walking; /* evaders from which on the minimum begins with walks */

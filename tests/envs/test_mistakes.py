@@ -18,7 +18,7 @@ from covey.envs.setup import TEAM
     ("setup", "message"),
     [
         ({"team_size": 0}, "team_size: expected a whole number >= 1, got 0"),
-        ({"team_size": 21}, "at most 20 evaders, got 21"),
+        ({"team_size": 51}, "at most 50 evaders, got 51"),
         ({"speed": 1.0}, "slower than the pursuer"),
         ({"speed": [0.1, 0.2]}, "one for each of 3 evaders"),
         ({"turn_rate": -1.0}, "turn_rates: expected numbers >= 0"),

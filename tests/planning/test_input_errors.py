@@ -106,7 +106,7 @@ def test_an_evader_as_fast_as_the_pursuer():
 
 def test_too_many_evaders_for_the_exact_minimum():
     message = "^team: expected at most 50 evaders, got 51"
-    with pytest.raises(covey.InputError, match=r"^team: expected at most 20 evaders, got 51"):
+    with pytest.raises(covey.InputError, match=r"^team: expected at most 50 evaders, got 51"):
         covey.plan(CROWD, DISK)
     with pytest.raises(covey.InputError, match=message):
         covey.plan(CROWD, DISK, time_limit=1.0)

@@ -77,11 +77,11 @@ def test_a_mistake_of_the_rest_is_rejected(text):
     "text",
     [
         "[team]\nevaders = []",
-        "[team.random]\ncount = 21",
+        "[team.random]\ncount = 51",
         "[team.random]\ncount = 2.5",
         "team = 3",
         "",
-        "[[team.evaders]]\nposition = [1, 2]\n" * 21,
+        "[[team.evaders]]\nposition = [1, 2]\n" * 51,
         '[team]\nstrategy = "opn-loop"\n[team.random]\ncount = 3',
         '[team]\nstrategy = { name = "open-loop", starts = 0 }\n[team.random]\ncount = 3',
         '[pursuer]\nstrategy = { name = "committed", margn = 0.1 }\n[team.random]\ncount = 3',
@@ -99,7 +99,7 @@ def test_a_mistake_of_the_whole_is_rejected(text):
     [
         "starts = 0",
         "startz = 3",
-        "[grid]\nteam_size = [2, 21]",
+        "[grid]\nteam_size = [2, 51]",
         "[grid]\nteam_size = [2, 2]",
         "[grid]\nspeed = []",
         '[grid]\nsensing = "seen"',

@@ -7,7 +7,7 @@ import pytest
 from scenarios.scenario_files import mistakes
 
 NO_EVADERS = (
-    "team.evaders: expected 1 to 20 evaders, got none; add a [[team.evaders]] table with a "
+    "team.evaders: expected 1 to 50 evaders, got none; add a [[team.evaders]] table with a "
     "position for each, or [team.random] with a count"
 )
 
@@ -89,16 +89,16 @@ def test_a_mistake_of_an_evader(text, line, tmp_path):
     [
         ("", [NO_EVADERS]),
         ("[team]\nevaders = []", [NO_EVADERS]),
-        ("[team.random]\ncount = 0", ["team.random.count: expected 1 to 20 evaders, got 0"]),
-        ("[team.random]\ncount = 21", ["team.random.count: expected 1 to 20 evaders, got 21"]),
+        ("[team.random]\ncount = 0", ["team.random.count: expected 1 to 50 evaders, got 0"]),
+        ("[team.random]\ncount = 51", ["team.random.count: expected 1 to 50 evaders, got 51"]),
         ("[team.random]", ["team.random.count: missing; expected a whole number >= 0"]),
         (
             "[team.random]\ncount = 2.5",
             ["team.random.count: expected a whole number >= 0, got 2.5"],
         ),
         (
-            "[[team.evaders]]\nposition = [1, 2]\n" * 21,
-            ["team.evaders: expected 1 to 20 evaders, got 21"],
+            "[[team.evaders]]\nposition = [1, 2]\n" * 51,
+            ["team.evaders: expected 1 to 50 evaders, got 51"],
         ),
         ("team = 3", ["team: expected a table, got 3"]),
         (

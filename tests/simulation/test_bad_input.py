@@ -50,8 +50,8 @@ def test_games(strategies):
             covey.simulate(team, covey.PursuerDisk(), **strategies)
         return str(error.value)
 
-    twenty_one = covey.Team(np.ones((21, 2)), np.zeros(21))
-    assert refused(twenty_one).startswith("team: expected at most 20 evaders, got 21")
+    crowd = covey.Team(np.ones((51, 2)), np.zeros(51))
+    assert refused(crowd).startswith("team: expected at most 50 evaders, got 51")
     as_fast = covey.Team([(1.0, 0.0), (0.0, 1.0)], [0.0, 0.0], speeds=[0.25, 1.0])
     assert refused(as_fast) == (
         "speeds: expected every evader to be slower than the pursuer (1), got speeds[1] = 1"

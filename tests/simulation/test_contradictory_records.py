@@ -113,7 +113,7 @@ def test_what_contradicts_itself_is_told(changes, message):
 def test_more_evaders_than_can_play_are_refused():
     """Before their table is looked at: the checks take memory by the square of the team."""
     row = {
-        name: np.repeat(getattr(RECORDS[5], name)[:1], 21, axis=1)
+        name: np.repeat(getattr(RECORDS[5], name)[:1], 51, axis=1)
         for name in ("evader_positions", "evader_headings", "evader_turns", "pursuer_sequences")
     }
     crowd = dataclasses.replace(
@@ -130,8 +130,8 @@ def test_more_evaders_than_can_play_are_refused():
                 "disk_radii",
             )
         },
-        team=RECORDS[5].team.take(np.zeros(21, np.int64)),
-        critical_sequences=np.arange(21)[None],
+        team=RECORDS[5].team.take(np.zeros(51, np.int64)),
+        critical_sequences=np.arange(51)[None],
     )
-    with pytest.raises(covey.InputError, match="team: expected at most 20 evaders, got 21"):
+    with pytest.raises(covey.InputError, match="team: expected at most 50 evaders, got 51"):
         read_game(written(crowd), "a.parquet")

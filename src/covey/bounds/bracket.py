@@ -128,7 +128,7 @@ def bracket(
     Parameters
     ----------
     team, disk
-        The state of the game; up to 20 evaders, each slower than the pursuer.
+        The state of the game; up to 50 evaders, each slower than the pursuer.
     depth
         How many captures the contingent plan answers, see `covey.plan_contingent`; 0: there is no
         such plan. None: as many as take about a second, which is all for up to five evaders, two

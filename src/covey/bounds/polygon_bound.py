@@ -2,7 +2,7 @@
 
 What each evader can reach is bounded by polygons. The maximum over all flights, curved, slow and
 wavering ones included, is at most the maximum over the flights of the polygons' corners
-(docs/decisions/0006 for evaders that turn at once, 0016 for limited turn rates). The bound is tight
+(docs/decisions/0006 for evaders that turn at once, 0017 for limited turn rates). The bound is tight
 because the corners are dense around the best headings known, and then around the headings at which
 the bound is attained.
 """

@@ -8,9 +8,10 @@ import numpy.typing as npt
 from covey.envs.setup import STARTS, InitialState, Setup
 from covey.kernels.play.observation import DISK, ROW, observe
 from covey.kernels.play.rules import NOBODY, announce, fly, remove
-from covey.model import InputError
+from covey.model import InputError, LastCapture
 from covey.model.validation import Floats, Ints
-from covey.planning import guaranteed_survival, plan
+from covey.planning import guaranteed_survival
+from covey.planning.open_loop import first_plan
 from covey.simulation import PursuerStrategy, TeamStrategy
 from covey.simulation.information import (
     checked_decision,
@@ -60,7 +61,8 @@ class Episode:
         self._plan = None if evaders is None else policy_of("evaders", evaders, seed)
         self._decide = None if pursuer is None else policy_of("pursuer", pursuer, seed)
         if self._plan is None:
-            self.guarantee = plan(team, known, seed=seed, starts=STARTS).survival_time
+            first = first_plan(team, known, LastCapture(), seed, STARTS)
+            self.guarantee = first.survival_time
         else:
             self._announce_plan(self._plan)
             self.guarantee = guaranteed_survival(team, known, self.state.turns).time

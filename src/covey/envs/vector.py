@@ -15,9 +15,8 @@ from covey.kernels.maximum.working_set import WorkingSet, new_working_set
 from covey.kernels.play.batches import Commitments, fly_pursuers, fly_teams
 from covey.kernels.play.policy import TeamMemory
 from covey.model import InputError, LastCapture
-from covey.planning import plan
 from covey.planning.compiled_objective import compiled_objective
-from covey.planning.open_loop import guess_uniforms
+from covey.planning.open_loop import first_plan, guess_uniforms
 from covey.planning.workspace import workspace
 from covey.players import CommittedPursuer
 from covey.players.compiled import (
@@ -84,7 +83,7 @@ class PursuerVectorEnv(GameBatch):
     def begin_opponent(self, b: int, initial: InitialState, seed: int) -> float:
         """Plan, and keep the memory from which replanning starts."""
         team, known = self.setup.team(initial), self.setup.known_at_start(initial)
-        first = plan(team, known, seed=seed, starts=self._evaders.starts)
+        first = first_plan(team, known, LastCapture(), seed, self._evaders.starts)
         part_of(self.states.turns, b, self.num_envs)[:] = first.turns
         memory = first_memory(first, seed, self._options.restarts)
         for ours, new in zip(self._memories.working_set, memory.working_set, strict=True):
@@ -163,7 +162,7 @@ class TeamVectorEnv(GameBatch):
         part_of(self._commitments.sequences, b, self.num_envs)[:] = sequence
         self._commitments.chosen[b] = is_chosen
         self._commitments = self._commitments._replace(margin=margin)
-        return plan(team, known, seed=seed, starts=STARTS).survival_time
+        return first_plan(team, known, LastCapture(), seed, STARTS).survival_time
 
     def fly(self, actions: npt.ArrayLike) -> None:
         """Turn the evaders at rates (B, N), shares of the largest."""

@@ -35,9 +35,6 @@ _LANES = 4  # floats in a register of the processor
 MOST_EVADERS = 50
 """Largest team: a set and a last captured evader are one integer."""
 
-MOST_IN_GAMES = 20
-"""Largest team in a game, which plans without a time limit: every inner minimum is exact."""
-
 LARGEST_TABLE = 20
 """Evaders up to which the minimum over all sequences may keep a table of all sets."""
 

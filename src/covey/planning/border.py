@@ -5,10 +5,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels.arrays import (
-    MOST_EVADERS,
-    MOST_IN_GAMES,
-)
+from covey.kernels.arrays import MOST_EVADERS
 from covey.kernels.capture.path import PATH, set_paths
 from covey.kernels.capture.pursuit import Pursuit
 from covey.model import (
@@ -31,14 +28,11 @@ def check_players(team: Team, disk: PursuerDisk) -> None:
     disk.require_faster_than(team)
 
 
-def check_game(team: Team, disk: PursuerDisk, most: int = MOST_IN_GAMES) -> None:
-    """Raise InputError as `check_players` does, or if the team has more than `most` evaders."""
+def check_game(team: Team, disk: PursuerDisk) -> None:
+    """Raise InputError as `check_players` does, or if the team has too many evaders."""
     check_players(team, disk)
-    if len(team) > most:
-        raise InputError(
-            f"team: expected at most {most} evaders, got {len(team)}; guaranteed_survival serves "
-            f"up to {MOST_EVADERS}, and so does plan with a time_limit"
-        )
+    if len(team) > MOST_EVADERS:
+        raise InputError(f"team: expected at most {MOST_EVADERS} evaders, got {len(team)}")
 
 
 def about_center(team: Team, disk: PursuerDisk) -> tuple[Team, PursuerDisk]:

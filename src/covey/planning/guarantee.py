@@ -10,7 +10,6 @@ import numpy.typing as npt
 
 from covey.kernels.arrays import (
     LARGEST_TABLE,
-    MOST_EVADERS,
     STAGES_GIVEN,
     STAGES_OF_GUARANTEE,
     Workspace,
@@ -142,7 +141,7 @@ def guaranteed_survival(
     >>> round(worst.time, 3), worst.sequence
     (3.149, (1, 0, 2))
     """
-    check_game(team, disk, MOST_EVADERS)
+    check_game(team, disk)
     if time_limit is not None:
         number("time_limit", time_limit, low=0.0)
     chosen = checked_objective(objective)

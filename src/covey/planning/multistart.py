@@ -45,7 +45,7 @@ PARALLEL = 9
 class Ascents(NamedTuple):
     """The best plan of some ascents, and their cost."""
 
-    value: float
+    value: float  # -inf where the deadline came before anything was proven
     status: int  # CONVERGED, STALLED or STEPS_USED_UP
     iterate: Iterate  # turns and working set of the plan
     starts: int  # ascents
@@ -55,7 +55,8 @@ class Ascents(NamedTuple):
 
     def joined(self, other: Ascents) -> Ascents:
         """Return the better plan, this plan among equals, and the cost of both."""
-        best = other if is_better(other.value, self.value) else self
+        found = other.starts > 0 and is_better(other.value, self.value)
+        best = other if found else self
         return Ascents(
             *best[:3],
             starts=self.starts + other.starts,
@@ -157,7 +158,7 @@ class Search:
 
     def _insert(self, ascents: Ascents) -> None:
         """Insert a plan into the elite, which later guesses vary."""
-        if ascents.starts > 0:
+        if ascents.value > -math.inf:
             insert(self._elite, ascents.value, ascents.iterate.turns)
 
 

@@ -8,7 +8,7 @@ import time
 import numpy as np
 import numpy.typing as npt
 
-from covey.kernels.arrays import LARGEST_TABLE, MOST_EVADERS, MOST_IN_GAMES
+from covey.kernels.arrays import FEWEST_WALKING
 from covey.kernels.maximum.initial_guesses import CANDIDATES
 from covey.kernels.maximum.objective import Draws
 from covey.kernels.maximum.problem import Iterate, Problem
@@ -35,7 +35,8 @@ from covey.planning.open_loop_plan import CRITICAL_WITHIN, PLAN_STATUS, Plan, Pl
 DEFAULT_STARTS = 32
 """Starts of the first plan of a game that is played; `plan` by itself follows `default_starts`."""
 DEFAULT_TOLERANCE = 1e-9
-_SHARE_OF_SEARCH = 0.7  # of the time limit, for large teams; the rest is for their guarantee
+_SHARE_OF_GUARANTEE = 0.3  # of the time limit, for a large team
+_LEAST_FOR_GUARANTEE = 0.25  # seconds, but no more than half of the time limit
 
 
 def plan(
@@ -54,8 +55,8 @@ def plan(
     Parameters
     ----------
     team, disk
-        The state of the game; up to 20 evaders, with a `time_limit` up to 50, for a sum up to 20.
-        Each is slower than the pursuer.
+        The state of the game; up to 50 evaders, for a sum up to 20. Each is slower than the
+        pursuer.
     objective
         What is made large: by default the last capture, guaranteed; `TotalSurvival()`, the sum of
         all survival times, guaranteed; `ExpectedSurvival(...)`, the expected value of either over a
@@ -111,7 +112,7 @@ def plan(
     >>> plan.goal_headings.round(2).tolist()
     [0.15, 2.31, -2.02]
     """
-    check_game(team, disk, MOST_IN_GAMES if time_limit is None else MOST_EVADERS)
+    check_game(team, disk)
     number("tolerance", tolerance, low=0.0, strictly=True)
     if time_limit is not None:
         number("time_limit", time_limit, low=0.0)
@@ -144,9 +145,10 @@ def plan(
 
 def _search_until(deadline: float, n: int) -> float:
     """Return when the search ends, so that time is left for the guarantee of a large team."""
-    now = time.perf_counter()
-    share = _SHARE_OF_SEARCH if n > LARGEST_TABLE else 1.0
-    return now + share * (deadline - now)
+    if n < FEWEST_WALKING or deadline == math.inf:
+        return deadline
+    left = deadline - time.perf_counter()
+    return deadline - max(_SHARE_OF_GUARANTEE * left, min(_LEAST_FOR_GUARANTEE, 0.5 * left))
 
 
 def _best_of(search: Search, warm: Iterate | None, guesses: int) -> Ascents:
@@ -158,6 +160,20 @@ def _best_of(search: Search, warm: Iterate | None, guesses: int) -> Ascents:
         exact = search.refine(best.iterate, best.value)
         best = exact._replace(starts=0).joined(best)
     return best
+
+
+def first_plan(team: Team, disk: PursuerDisk, objective: Objective, seed: int, starts: int) -> Plan:
+    """Return the first plan of a game whose strategy asks for so many starts."""
+    followed = starts_followed(starts, len(team))
+    return plan(team, disk, objective=objective, seed=seed, starts=followed)
+
+
+def starts_followed(starts: int, n: int) -> int:
+    """Return how many of a strategy's starts the first plan of n evaders follows.
+
+    A large team follows no more than `plan` does by default: more of them would take minutes.
+    """
+    return starts if n < FEWEST_WALKING else min(starts, default_starts(n))
 
 
 def default_starts(n: int) -> int:

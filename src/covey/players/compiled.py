@@ -12,10 +12,11 @@ from covey.kernels.play.policy import ReplanOptions, TeamMemory
 from covey.kernels.play.rules import State
 from covey.model import Objective, PursuerDisk, Team
 from covey.model.validation import LARGEST
-from covey.planning import Plan, plan
+from covey.planning import Plan
 from covey.planning.border import about_center, check_game, longest_game
 from covey.planning.compiled_objective import checked_objective
 from covey.planning.long_calls import interceptions_of, interruptible
+from covey.planning.open_loop import first_plan
 from covey.players.pursuers.committed import CommittedPursuer
 from covey.players.pursuers.fixed_order import BestSequence, FixedSequence, RandomSequence
 from covey.players.teams.open_loop import IterativeOpenLoop, OpenLoop, first_memory
@@ -72,7 +73,7 @@ def initial_game(
     """Make the team's first plan, and what its game is played on."""
     options, objective = evaders.compiled(), settings.objective
     team, disk = about_center(team, disk)
-    first = plan(team, disk, objective=objective, seed=settings.seed, starts=evaders.starts)
+    first = first_plan(team, disk, objective, settings.seed, evaders.starts)
     memory = first_memory(first, settings.seed, options.restarts)
     state = first_state(team, disk)
     state.turns[:] = first.turns

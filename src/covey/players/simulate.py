@@ -43,7 +43,7 @@ def simulate(
     Parameters
     ----------
     team, disk
-        The state at time 0; up to 20 evaders, each slower than the pursuer.
+        The state at time 0; up to 50 evaders, each slower than the pursuer.
     evaders, pursuer
         Strategies: values that come with the package, your own, or plain functions of a
         `Situation`. A name as in scenario files, such as "nearest-first", is the strategy with its

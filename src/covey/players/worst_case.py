@@ -112,7 +112,7 @@ def worst_case(
     Parameters
     ----------
     team, disk
-        The state at time 0; up to 20 evaders, each slower than the pursuer.
+        The state at time 0; up to 50 evaders, each slower than the pursuer.
     evaders
         The team's strategy, as `simulate` takes it.
     delays

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from covey.kernels.arrays import MOST_IN_GAMES
+from covey.kernels.arrays import MOST_EVADERS
 from covey.model.validation import is_slower
 from covey.scenarios.mistakes import KeyPath, Mistake, look, wanted_but_got
 from covey.scenarios.schema import PursuerSection, TeamSection
@@ -53,13 +53,13 @@ def too_fast(path: KeyPath, speed: float, limit: float, note: str = "") -> Mista
 
 def _team_size(document: Document) -> Iterator[Mistake]:
     evaders, random = look(document, "team", "evaders"), look(document, "team", "random")
-    wanted = f"1 to {MOST_IN_GAMES} evaders"
+    wanted = f"1 to {MOST_EVADERS} evaders"
     if evaders and random is not None:
         text = "expected the evaders of [[team.evaders]] or those of [team.random], got both"
         yield Mistake(("team", "random"), text)
     if random is not None:
         count = look(document, "team", "random", "count")
-        if as_whole(count) is not None and not 1 <= count <= MOST_IN_GAMES:
+        if as_whole(count) is not None and not 1 <= count <= MOST_EVADERS:
             yield Mistake(("team", "random", "count"), wanted_but_got(wanted, count))
     elif not evaders and isinstance(look(document, "team", default={}), dict):
         yield Mistake(
@@ -67,7 +67,7 @@ def _team_size(document: Document) -> Iterator[Mistake]:
             f"expected {wanted}, got none; add a [[team.evaders]] table with a position for each, "
             "or [team.random] with a count",
         )
-    elif isinstance(evaders, list) and len(evaders) > MOST_IN_GAMES:
+    elif isinstance(evaders, list) and len(evaders) > MOST_EVADERS:
         yield Mistake(("team", "evaders"), wanted_but_got(wanted, len(evaders)))
 
 

@@ -11,6 +11,7 @@ from covey.model.display import html_facts
 from covey.model.units import titled
 from covey.model.value import Value
 from covey.planning import ContingentPlan, Plan, plan, plan_contingent
+from covey.planning.open_loop import starts_followed
 from covey.players import IterativeOpenLoop, OpenLoop, WorstCase, simulate, worst_case
 from covey.players.names import team_strategy
 from covey.simulation import Game, PursuerPolicy, PursuerStrategy, TeamPolicy, TeamStrategy
@@ -118,5 +119,5 @@ class Scenario(Value):
         """Starts of the search for the plan, which strategies that fly none don't name."""
         evaders = team_strategy(self.evaders)
         if isinstance(evaders, OpenLoop | IterativeOpenLoop):
-            return evaders.starts
+            return starts_followed(evaders.starts, len(self.team))
         return None

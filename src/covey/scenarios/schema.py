@@ -16,7 +16,7 @@ from typing import Annotated, Any
 from pydantic import AliasChoices, ConfigDict, Field
 from pydantic.config import JsonDict
 
-from covey.kernels.arrays import MOST_IN_GAMES
+from covey.kernels.arrays import MOST_EVADERS
 from covey.model.team import DEFAULT_TURN_RATE
 from covey.scenarios.about import ANGLE, LENGTH, SPEED, TIME, TURN_RATE, UNIT, About
 from covey.scenarios.strategies import EVADERS, OBJECTIVES, PURSUERS, Named
@@ -105,7 +105,7 @@ class RandomSection(Section):
 
     count: Annotated[
         Whole,
-        About("How many evaders.", 4, limits={"minimum": 1, "maximum": MOST_IN_GAMES}),
+        About("How many evaders.", 4, limits={"minimum": 1, "maximum": MOST_EVADERS}),
     ]
     side: Annotated[Positive, About("Side of the square.", 2000, LENGTH)] = 1.0
     seed: Annotated[
@@ -147,7 +147,7 @@ class TeamSection(Section):
         About(
             "The evaders, a table [[team.evaders]] for each.",
             [{"position": [900, 300]}],
-            limits={"minItems": 1, "maxItems": MOST_IN_GAMES},
+            limits={"minItems": 1, "maxItems": MOST_EVADERS},
         ),
     ] = Field(default_factory=list)
     random: Annotated[

@@ -136,4 +136,5 @@ class Match:
     def _write(self) -> None:
         if self._log.counters[ROWS] == len(self._log.times):
             self._log = grow_log(self._log)
-        write_row(self._log, self._state, self._rules, _NO_ROWS, workspace(len(self._setup.team)))
+        scratch = workspace(len(self._setup.team))
+        write_row(self._log, self._state, self._rules, _NO_ROWS, -math.inf, scratch)

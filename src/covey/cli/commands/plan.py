@@ -38,7 +38,8 @@ def plan(
     time holds against any pursuer in the disk, whatever it does; the critical sequences are the
     orders of capture by which it would come closest. Beside it stands a time that no team could be
     sure to exceed, whatever its strategy, even if it saw the pursuer. Where
-    [game] names another objective, the plan is for that one, and stands alone.
+    [game] names another objective, the plan is for that one, and stands alone. So does the plan of
+    more than 20 evaders, for whom that time is too late to mean anything.
 
     A contingent plan also holds the turns that those left begin when an evader has been captured.
 
@@ -48,7 +49,8 @@ def plan(
 
         covey plan fig3 --contingent
     """
-    from covey.planning.compiled_objective import checked_objective  # only now: it loads NumPy
+    from covey.kernels.arrays import LARGEST_TABLE  # only now, as they load NumPy
+    from covey.planning.compiled_objective import checked_objective
 
     scenario = read_scenario(file, seed)
     objective = checked_objective(scenario.objective)
@@ -63,9 +65,10 @@ def plan(
             f"{objective.describe()['name']}; leave [game] objective out"
         )
     with waiting("planning"):
-        bracket = scenario.bracket(depth=0) if last_capture else None
-        found = scenario.plan() if bracket is None else bracket.plan
         tree = scenario.plan_contingent(depth) if contingent else None
+        bounded = last_capture and len(scenario.team) <= LARGEST_TABLE
+        bracket = scenario.bracket(depth=0) if bounded else None
+        found = scenario.plan() if bracket is None else bracket.plan
         if tree is not None:
             _ = tree.with_delays  # computed while the command says that it works
     if tree is not None and bracket is not None:

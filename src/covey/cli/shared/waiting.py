@@ -16,7 +16,7 @@ def waiting(what: str) -> Status:
     """Load the kernels; then show in a terminal, until the block ends, what is being computed.
 
     Where there is no terminal, nothing is shown. A team of eight plans in less than a second, a
-    team of twenty in minutes.
+    team of twenty in half a minute, a team of fifty in minutes.
     """
     load_library()  # shows a bar of its own while it compiles
     return Console(stderr=True).status(f"{what} …")

@@ -1,8 +1,8 @@
 """A local maximum of the value of a contingent plan, by sequential quadratic programming.
 
-Constraint generation over the branches of the tree, as `maximum.sqp` does over the sequences of an
-open-loop plan. A branch depends on few turns, so each quadratic programme is one in the turns of
-the working set's branches alone; all other turns stay as they are.
+Constraint generation over the branches of the tree, as `maximum.ascent.sqp` does over the sequences
+of an open-loop plan. A branch depends on few turns, so each quadratic programme is one in the turns
+of the working set's branches alone; all other turns stay as they are.
 """
 
 from __future__ import annotations

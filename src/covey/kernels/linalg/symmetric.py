@@ -45,9 +45,9 @@ def cholesky(matrix: Floats, n: int, floor: float, factor: Floats) -> bool:
 def shifted_cholesky(matrix: Floats, n: int, floor: float, factor: Floats) -> bool:
     """Write the Cholesky factor; where `matrix` isn't positive definite, of a shifted matrix.
 
-    The shift is added to the diagonal of `matrix`, and is doubled until a factor exists; each trial
-    costs a factor, far less than the eigenvalues of a large matrix. Returns whether there is a
-    shift.
+    The shift is added to the diagonal of `matrix`, and is made four times as large until a factor
+    exists; each trial costs a factor, far less than the eigenvalues of a large matrix. Returns
+    whether there is a shift.
     """
     if cholesky(matrix, n, floor, factor):
         return False

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from covey.kernels._jit import compiled, inlined
 from covey.kernels.arrays import (
+    GO_ON,
     Floats,
     Ints,
     WalkMemory,
@@ -19,7 +20,7 @@ from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.minimum.greedy_sequence import greedy_sequence
 from covey.kernels.minimum.labels import SubsetScratch, subset_scratch
 from covey.kernels.minimum.large.minimum import large_minimum
-from covey.kernels.minimum.large.scratch import large_scratch
+from covey.kernels.minimum.large.scratch import LOWER, large_scratch
 from covey.kernels.minimum.large.tours import Tour, improve
 from covey.kernels.minimum.last_capture import min_last_capture
 from covey.kernels.minimum.total_time import TotalTimeScratch, min_total_time, total_time_scratch
@@ -68,7 +69,8 @@ def inner_minimum(
 
     Parameters, results and what is modified are as for `min_last_capture` and `min_total_time`. For
     large teams `large_minimum` comes first. Where it gives up before the minimum is proven, the
-    table of all sets follows, if there is one; else the result is an upper bound.
+    table of all sets follows, if there is one and the flag `stop` isn't set; else the result is an
+    upper bound, see `proven_minimum`.
     """
     if total:
         return min_total_time(paths, pursuit, bound, sequence, scratch.total_time)
@@ -77,10 +79,22 @@ def inner_minimum(
         bound, interceptions, proven = large_minimum(
             paths, pursuit, bound, sequence, scratch.large, table.lines, table.stop
         )
-        if proven or n > scratch.largest_table:
+        if proven or n > scratch.largest_table or table.stop[0] != GO_ON:
             return bound, interceptions
     value, more = min_last_capture(paths, pursuit, bound, sequence, table)
+    scratch.large.floats[LOWER] = value
     return value, interceptions + more
+
+
+@inlined
+def proven_minimum(found: float, n: int, scratch: InnerScratch) -> float:
+    """Return what is proven of the minimum that `inner_minimum` has just found for n evaders.
+
+    A lower bound where the search was given up.
+    """
+    if n < scratch.fewest_walking:
+        return found
+    return min(scratch.large.floats[LOWER], found)
 
 
 @compiled

@@ -9,7 +9,7 @@ from covey.kernels._jit import entry
 from covey.kernels.arrays import IntVector, Matrix, Workspace
 from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.capture.sequence import capture_times, objective_value
-from covey.kernels.minimum.inner_minimum import inner_minimum, inner_scratch
+from covey.kernels.minimum.inner_minimum import earlier_by_moves, inner_minimum, inner_scratch
 
 
 class Commitment(NamedTuple):
@@ -32,7 +32,8 @@ def commit(
 
     Better is an earlier last capture or, with `total`, a smaller sum of capture times. The margin
     is relative to what the present sequence still comes to. A pursuer without a sequence takes the
-    best. `paths` (n, PATH) are those of the living.
+    best. Moves change the sequence against a team that is too large for an exact minimum at every
+    update. `paths` (n, PATH) are those of the living.
     """
     scratch = inner_scratch(workspace)
     n, bound = len(paths), math.inf
@@ -40,5 +41,7 @@ def commit(
     if commitment.is_chosen:
         capture_times(paths, pursuit, sequence, times)
         bound = objective_value(times, total) * (1.0 - commitment.margin)
-    if bound > 0.0:
+    if commitment.is_chosen and n > scratch.largest_table:
+        earlier_by_moves(paths, pursuit, sequence, bound, sequence, scratch)
+    elif bound > 0.0:
         inner_minimum(paths, pursuit, total, bound, sequence, scratch)

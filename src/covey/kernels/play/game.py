@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from covey.kernels._jit import compiled, entry
+from covey.kernels._jit import compiled, entry, inlined
 from covey.kernels.arrays import (
     GO_ON,
     IntMatrix,
@@ -20,9 +20,15 @@ from covey.kernels.arrays import (
 from covey.kernels.capture.path import HEADING, X, Y
 from covey.kernels.library.layout import kept
 from covey.kernels.maximum.working_set import without
-from covey.kernels.minimum.inner_minimum import inner_minimum, inner_scratch
+from covey.kernels.minimum.inner_minimum import (
+    InnerScratch,
+    earlier_by_moves,
+    inner_minimum,
+    inner_scratch,
+    proven_minimum,
+)
 from covey.kernels.play.commitment import Commitment, commit
-from covey.kernels.play.policy import ReplanOptions, TeamMemory, replan_if_due
+from covey.kernels.play.policy import ReplanOptions, TeamMemory, promised_time, replan_if_due
 from covey.kernels.play.rules import (
     MOST_UPDATES,
     NOBODY,
@@ -91,12 +97,30 @@ def cut_log(log: GameLog) -> GameLog:
 
 @entry
 def write_row(
-    log: GameLog, state: State, rules: Rules, intended: IntVector, workspace: Workspace
+    log: GameLog,
+    state: State,
+    rules: Rules,
+    intended: IntVector,
+    promised: float,
+    workspace: Workspace,
 ) -> None:
     """Write the state, the plan that is announced and its guarantee to the log's next row.
 
-    `intended` holds rows of the living: the order that the pursuer has in mind, as far as it is
-    known. Captured evaders stay where they were captured.
+    Captured evaders stay where they were captured.
+
+    Parameters
+    ----------
+    log
+        Modified in place.
+    state, rules
+        Of the game; the paths of the state are those of the plan.
+    intended
+        Rows of the living: the order that the pursuer has in mind, as far as it is known.
+    promised
+        A time that the plan is known to guarantee; -inf: unknown. Only a team that is too large for
+        an exact minimum at every row needs it.
+    workspace
+        With room for all evaders; modified in place.
     """
     row, n = log.counters[ROWS], state.alive[0]
     log.counters[ROWS] += 1
@@ -117,12 +141,21 @@ def write_row(
         log.intended[row, k] = state.ids[intended[k]]
     if n > 0:
         scratch = inner_scratch(workspace)
-        pursuit, worst = pursuit_from(state.disk, rules), scratch.sequence[:n]
-        log.guarantees[row], _ = inner_minimum(
-            state.paths[:n], pursuit, False, math.inf, worst, scratch
-        )
+        log.guarantees[row] = _guaranteed(state, rules, promised, scratch)
         for k in range(n):
-            log.critical[row, k] = state.ids[worst[k]]
+            log.critical[row, k] = state.ids[scratch.sequence[k]]
+
+
+@inlined
+def _guaranteed(state: State, rules: Rules, promised: float, scratch: InnerScratch) -> float:
+    """Return the guaranteed time of the plan; `scratch.sequence` is the worst sequence known."""
+    n = state.alive[0]
+    paths, pursuit, worst = state.paths[:n], pursuit_from(state.disk, rules), scratch.sequence[:n]
+    if promised > -math.inf and n > scratch.largest_table:
+        earlier_by_moves(paths, pursuit, worst[:0], math.inf, worst, scratch)
+        return max(promised, 0.0)
+    found, _ = inner_minimum(paths, pursuit, False, math.inf, worst, scratch)
+    return proven_minimum(found, n, scratch)
 
 
 @compiled
@@ -191,7 +224,8 @@ def play(
         commit(state.paths[:n], pursuit, total, commitment, workspace)
         commitment = Commitment(commitment.margin, commitment.sequence, True)
         if recorded:
-            write_row(log, state, rules, sequence, workspace)
+            promised = promised_time(state, team, memory)
+            write_row(log, state, rules, sequence, promised, workspace)
         captured_row = fly(state, rules, sequence[0], 0.0, 0.0)
         if captured_row != NOBODY:
             log_capture(log, state, captured_row)
@@ -200,5 +234,6 @@ def play(
             replan_if_due(state, rules, team, memory, captured_row, workspace)
     if recorded:
         announce(state, rules)
-        write_row(log, state, rules, commitment.sequence[:0], workspace)
+        promised = promised_time(state, team, memory)
+        write_row(log, state, rules, commitment.sequence[:0], promised, workspace)
     return True

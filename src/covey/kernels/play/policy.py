@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
-from covey.kernels._jit import compiled, entry
+from covey.kernels._jit import compiled, entry, inlined
 from covey.kernels.arrays import Matrix, Vector, Workspace
 from covey.kernels.library.layout import kept
 from covey.kernels.maximum.multistart import RADIUS_WARM, refine
@@ -101,13 +102,17 @@ def replan(
     spent
         By how much the value of the last plan has fallen since.
     restarts
-        How many initial guesses are improved too.
+        How many initial guesses are improved too; none of a team that is too large for an exact
+        minimum at each step.
     turns
         (n,) still to be flown, radians; modified in place.
     workspace
         With room for n evaders; modified in place.
     """
     steps = options.max_steps if restarts > 0 else min(options.max_steps, UPDATE_STEPS)
+    is_large = len(turns) >= workspace.fewest_walking
+    if is_large and not (problem.objective.total or problem.objective.expected):
+        restarts = 0
     value, _, _, _ = refine(
         problem,
         memory.uniforms,
@@ -118,6 +123,17 @@ def replan(
         workspace,
     )
     memory.last[1] = value
+
+
+@inlined
+def promised_time(state: State, options: ReplanOptions, memory: TeamMemory) -> float:
+    """Return what the last plan still guarantees; -inf: unknown.
+
+    The plan of a team that doesn't replan may guarantee more by now, so it is unknown too.
+    """
+    if memory.objective.total or memory.objective.expected or not options.replans:
+        return -math.inf
+    return memory.last[1] - (state.time[0] - memory.last[0])
 
 
 @compiled

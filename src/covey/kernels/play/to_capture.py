@@ -8,7 +8,7 @@ from covey.kernels._jit import compiled, entry
 from covey.kernels.arrays import GO_ON, Workspace
 from covey.kernels.capture.path import X, Y
 from covey.kernels.maximum.objective import elapsed_value
-from covey.kernels.minimum.inner_minimum import inner_minimum, inner_scratch
+from covey.kernels.minimum.inner_minimum import inner_minimum, inner_scratch, proven_minimum
 from covey.kernels.play.policy import ReplanOptions, TeamMemory, replan_if_due
 from covey.kernels.play.rules import (
     MOST_UPDATES,
@@ -103,7 +103,8 @@ def guaranteed_value(state: State, rules: Rules, total: bool, workspace: Workspa
     announce(state, rules)
     n, scratch = state.alive[0], inner_scratch(workspace)
     pursuit = pursuit_from(state.disk, rules)
-    rest, _ = inner_minimum(
+    found, _ = inner_minimum(
         state.paths[:n], pursuit, total, math.inf, scratch.sequence[:n], scratch
     )
+    rest = found if total else proven_minimum(found, n, scratch)
     return rest + elapsed_value(state.time[0], n, total)

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from covey.kernels.arrays import LARGEST_TABLE, MOST_EVADERS
 from covey.kernels.capture.path import HEADING
 from covey.kernels.contingent.branch import fly_branch, new_branch
 from covey.kernels.contingent.minimum import new_levels, tree_value
@@ -185,7 +186,7 @@ def plan_contingent(
     Parameters
     ----------
     team, disk
-        The state of the game.
+        The state of the game; up to 20 evaders.
     depth
         How many captures are answered; a team of N has N - 1 to answer. 0: none, as `covey.plan`;
         None: all. A deeper plan never guarantees less.
@@ -220,6 +221,11 @@ def plan_contingent(
     """
     check_game(team, disk)
     n = len(team)
+    if n > LARGEST_TABLE:
+        raise InputError(
+            f"team: expected at most {LARGEST_TABLE} evaders for a plan that answers captures, got "
+            f"{n}; covey.plan serves up to {MOST_EVADERS}"
+        )
     depth = n - 1 if depth is None else min(whole_number("depth", depth, low=0), n - 1)
     _require_room(n, depth)
     whole_number("seed", seed, low=0)

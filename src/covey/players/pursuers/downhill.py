@@ -32,7 +32,7 @@ class DownhillPursuer:
     Parameters
     ----------
     value
-        The value for the evaders' speeds, see `covey.planning.solve_two_evaders`.
+        The value for the evaders' speeds, see `covey.bounds.solve_two_evaders`.
     """
 
     value: TwoEvaderValue

@@ -9,17 +9,19 @@ from typing import Any
 
 import numpy as np
 
+from covey.kernels.arrays import LARGEST_TABLE
 from covey.kernels.maximum.objective import elapsed_value
 from covey.kernels.maximum.problem import Problem
 from covey.kernels.play.policy import ReplanOptions, TeamMemory, forget, replan
 from covey.model.validation import MOST_STARTS, Floats, whole_number
-from covey.planning import Plan, plan
+from covey.planning import Plan
 from covey.planning.border import pursuit_of
 from covey.planning.compiled_objective import compiled_objective
 from covey.planning.multistart import MAX_STEPS
 from covey.planning.open_loop import (
     DEFAULT_STARTS,
     DEFAULT_TOLERANCE,
+    first_plan,
     guess_uniforms,
     working_set_of,
 )
@@ -39,7 +41,8 @@ class OpenLoop:
     Parameters
     ----------
     starts
-        Starts of the search for the plan; see `covey.plan`.
+        Starts of the search for the plan; see `covey.plan`. A team of eighteen or more follows no
+        more than `covey.plan` does by default.
 
     Examples
     --------
@@ -74,12 +77,8 @@ class OpenLoop:
             if begun:
                 return situation.turns
             begun = True
-            return plan(
-                situation.team,
-                situation.disk,
-                objective=situation.objective,
-                seed=seed,
-                starts=self.starts,
+            return first_plan(
+                situation.team, situation.disk, situation.objective, seed, self.starts
             ).turns
 
         return in_any_frame(turns)
@@ -121,9 +120,11 @@ class IterativeOpenLoop(SearchingTeam):
     Parameters
     ----------
     starts
-        Starts of the search for the first plan; see `covey.plan`.
+        Starts of the search for the first plan; see `covey.plan`. A team of eighteen or more
+        follows no more than `covey.plan` does by default.
     restarts
-        Other starts of the search after a capture, when the game is a new one.
+        Other starts of the search after a capture, when the game is a new one. A team of eighteen
+        or more follows none.
     replan_time
         Least time between two plans, >= 0. With 0 the team plans at every update. It always plans
         after a capture.
@@ -187,12 +188,12 @@ class Replanning:
         return turns
 
     def _begin(self, situation: Situation) -> Floats:
-        first = plan(
+        first = first_plan(
             situation.team,
             situation.disk,
-            objective=situation.objective,
-            seed=self._seed,
-            starts=self._strategy.starts,
+            situation.objective,
+            self._seed,
+            self._strategy.starts,
         )
         self._living = situation.evaders
         self._memory = first_memory(first, self._seed, self._strategy.restarts)
@@ -204,5 +205,6 @@ class Replanning:
 def first_memory(first: Plan, seed: int, restarts: int) -> TeamMemory:
     """Return what a team remembers at time 0, with its first plan made."""
     n = len(first.turns)
-    uniforms, last = guess_uniforms(seed, restarts, n), np.array([0.0, -math.inf])
+    value = first.survival_time if n > LARGEST_TABLE else -math.inf  # it takes long to find again
+    uniforms, last = guess_uniforms(seed, restarts, n), np.array([0.0, value])
     return TeamMemory(working_set_of(first), uniforms, last, compiled_objective(first.objective, n))

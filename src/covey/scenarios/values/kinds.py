@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Annotated, Any
 
-from covey.kernels.arrays import MOST_IN_GAMES
+from covey.kernels.arrays import MOST_EVADERS
 from covey.model.validation import LARGEST, LONGEST_UNIT, is_unit_name
 from covey.scenarios.values.angles import ANGLE_PATTERNS, Angle, radians_of
 from covey.scenarios.values.value_types import ValueType
@@ -80,7 +80,7 @@ def as_whole(value: object) -> int | None:
 
 def _team_size(value: object) -> int | None:
     size = as_whole(value)
-    return size if size is not None and 1 <= size <= MOST_IN_GAMES else None
+    return size if size is not None and 1 <= size <= MOST_EVADERS else None
 
 
 def as_sequence(value: object) -> list[int] | None:
@@ -135,9 +135,9 @@ AtLeastOne = Annotated[
 TeamSize = Annotated[
     int,
     ValueType(
-        f"a whole number from 1 to {MOST_IN_GAMES}",
+        f"a whole number from 1 to {MOST_EVADERS}",
         _team_size,
-        limits={"minimum": 1, "maximum": MOST_IN_GAMES},
+        limits={"minimum": 1, "maximum": MOST_EVADERS},
     ),
 ]
 Flag = Annotated[

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from covey.kernels.arrays import MOST_IN_GAMES
+from covey.kernels.arrays import MOST_EVADERS
 from covey.model import InputError, LastCapture
 from covey.model.validation import choice, shown, unit_name, whole_number
 from covey.scenarios.values.angles import Angle
@@ -143,8 +143,8 @@ def _require_value(name: str, value: Any) -> None:
         pass  # the other one is given
     elif not isinstance(value, int | float):
         raise TypeError(f"{name}: expected a number, got {shown(value)}")
-    elif name == "team_size" and whole_number(name, value, low=1) > MOST_IN_GAMES:
-        raise ValueError(f"{name}: expected at most {MOST_IN_GAMES}, got {shown(value)}")
+    elif name == "team_size" and whole_number(name, value, low=1) > MOST_EVADERS:
+        raise ValueError(f"{name}: expected at most {MOST_EVADERS}, got {shown(value)}")
 
 
 def refuse_differences(folder: Path, before: Mapping[str, Any], now: Mapping[str, Any]) -> None:

@@ -13,8 +13,8 @@ from covey.kernels.arrays import GO_ON
 from covey.kernels.maximum.ascent.oracle import add_minimum
 from covey.kernels.maximum.ascent.sqp import solve_sqp
 from covey.kernels.maximum.ascent.trial import AscentScratch, evaluate
-from covey.kernels.maximum.problem import Iterate, Options, Problem
-from covey.kernels.minimum.large.scratch import LOWER
+from covey.kernels.maximum.problem import STEPS, Iterate, Options, Problem
+from covey.kernels.minimum.inner_minimum import proven_minimum
 
 _MOST_ASCENTS, _PATIENCE = 24, 6  # in all, and without a plan that guarantees more
 _MOST_STEPS = 20  # of an ascent; without the exact minimum a longer ascent may go astray
@@ -32,14 +32,16 @@ def solve_large(
 ) -> tuple[float, int]:
     """Ascend, add the sequence that refutes the value, and ascend again, until none does.
 
-    Parameters and what is modified are as for `solve_sqp`. The ascents end where the value that is
+    Parameters and what is modified are as for `solve_sqp`; an ascent that has begun may exceed
+    `options.max_steps`, which is for all of them. The ascents end where the value that is
     proven comes within the tolerance of the value of the working set, too.
 
     Returns
     -------
     float
         What the turns guarantee: the best of all ascents, and never below that of the first turns,
-        where they came with a working set or a lower bound.
+        where they came with a working set or a lower bound. -inf where the flag `scratch.stop`
+        ended the first ascent of other turns.
     int
         How the last ascent ended.
     """
@@ -48,7 +50,7 @@ def solve_large(
         scratch.incumbent[i] = iterate.turns[i]
     if iterate.working_set.used[0] > 0 and best == -math.inf:
         best, _ = _proven(problem, iterate, scratch)
-    steps = min(options.max_steps, _MOST_STEPS)
+    steps, steps_before = min(options.max_steps, _MOST_STEPS), scratch.counters[STEPS]
     first = Options(options.radius, options.tolerance, steps)
     again = Options(min(options.radius, _RADIUS_AGAIN), options.tolerance, steps)
     value, status = solve_sqp(problem, iterate, first, lower_bound, scratch)
@@ -58,7 +60,7 @@ def solve_large(
     for ascent in range(_MOST_ASCENTS):
         if ascent > 0:
             value, status = solve_sqp(problem, iterate, again, -math.inf, scratch)
-        if scratch.stop[0] != GO_ON and best > -math.inf:
+        if scratch.stop[0] != GO_ON:
             break
         proven, claimed = _proven(problem, iterate, scratch)
         failures = failures + 1 if proven <= best else 0
@@ -67,9 +69,11 @@ def solve_large(
             for i in range(n):
                 scratch.incumbent[i] = iterate.turns[i]
         attained = proven >= claimed * (1.0 - options.tolerance)
-        if attained or failures == _PATIENCE:
+        used_up = scratch.counters[STEPS] - steps_before >= options.max_steps
+        if attained or used_up or failures == _PATIENCE:
             break
-    _return_to_incumbent(problem, iterate, best, scratch)
+    if best > -math.inf:
+        _return_to_incumbent(problem, iterate, best, scratch)
     return best, status
 
 
@@ -98,7 +102,4 @@ def _proven(problem: Problem, iterate: Iterate, scratch: AscentScratch) -> tuple
     working_set, here = iterate.working_set, scratch.here
     value = evaluate(problem, iterate.turns, working_set, here)
     least, _ = add_minimum(problem, working_set, here, value, scratch)
-    proven = least
-    if len(iterate.turns) > scratch.inner.largest_table:  # the minimum may have been given up
-        proven = min(scratch.inner.large.floats[LOWER], least)
-    return proven, value
+    return proven_minimum(least, len(iterate.turns), scratch.inner), value
