@@ -50,7 +50,7 @@ def test_all_mistakes_of_a_file_are_printed_under_its_name(capsys):
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("plan empty.toml", "empty.toml: 1 mistake\n  team.evaders: expected 1 to 20 evaders"),
+        ("plan empty.toml", "empty.toml: 1 mistake\n  team.evaders: expected 1 to 50 evaders"),
         ("plan binary.toml", "binary.toml: expected a scenario in TOML, got a binary file"),
         ("plan .", ".: can't be read: "),
         (

@@ -58,7 +58,7 @@ def test_all_mistakes_of_a_file_are_told_at_once(tmp_path):
         speed = 0.2
         sampler = { name = "circle" }
         [grid]
-        team_size = [2, 40]
+        team_size = [2, 60]
         turn_rate = [1.0, 1.0]
         sensing = "hiden"
         pursuer = { name = "committed", margn = 0.1 }
@@ -73,7 +73,7 @@ def test_all_mistakes_of_a_file_are_told_at_once(tmp_path):
         'sed: unknown key; did you mean "seed"?',
         'speed: unknown key; did you mean "seed"?; "speed" belongs to [grid]',
         'sampler.name: expected one of "square"',
-        "grid.team_size[1]: expected a whole number from 1 to 20, got 40",
+        "grid.team_size[1]: expected a whole number from 1 to 50, got 60",
         "grid.turn_rate[1]: given twice",
         "grid.sensing: expected one of",
         'grid.pursuer.margn: unknown key; did you mean "margin"?',
@@ -127,7 +127,15 @@ def test_a_file_that_is_none_is_an_error(tmp_path):
 
 
 def test_the_papers_studies_come_along():
-    studies = ["fig4", "fig4-assured", "fig5", "fig5-contingent", "objectives", "tournament"]
+    studies = [
+        "fig4",
+        "fig4-assured",
+        "fig5",
+        "fig5-contingent",
+        "growth",
+        "objectives",
+        "tournament",
+    ]
     assert example_names() == studies
     fig4, fig5 = (read_study(example_path(name)) for name in ("fig4", "fig5"))
     assert fig4.games == 500 * 2 * 2

@@ -43,6 +43,22 @@ def test_any_other_study_is_drawn_as_its_means(tmp_path):
     assert marks.get_xdata() == pytest.approx(means)
 
 
+def test_many_team_sizes_are_drawn_as_curves(tmp_path):
+    rates, sizes = ["pi/4", "pi"], [5, 1, 3, 2, 4]
+    fields = {"turn_rate": rates, "team_size": sizes, "evaders": "open-loop", "sensing": "hidden"}
+    (axes,) = drawn(tmp_path, starts=2, update_time=1.0, **fields).axes
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == [
+        "turn rate pi/4",
+        "turn rate pi",
+    ]
+    result = covey.load_study(tmp_path / "results")
+    curve = next(each for each in axes.containers if each.get_label() == "turn rate pi")
+    points = dict(zip(*curve.lines[0].get_data(), strict=True))
+    cases = {case["team_size"]: k for k, case in enumerate(result.cases) if case["turn_rate"] > 1.0}
+    assert points == {size: result.moments.average(k).value for size, k in cases.items()}
+    assert list(points) == sorted(sizes)
+
+
 def test_units_stand_beside_the_numbers_of_a_study(tmp_path):
     fields = {"turn_radius": [0.1, 0.2], "capture_radius": 0.01, "sensing": "hidden", "unit": "km"}
     figure = drawn(tmp_path, **fields)

@@ -56,9 +56,9 @@ def study(
 
     Games that can't be played are left out and reported; the exit status is 3 then.
 
-    Four studies come with covey and are asked for by name: fig4 and fig5, those of the paper,
-    tournament, every team against every pursuer, and objectives, games about other things than the
-    last capture.
+    Studies that come with covey are asked for by name: fig4 and fig5, those of the paper;
+    tournament, every team against every pursuer; objectives, games about other things than the
+    last capture; growth, teams of one to fifty.
 
     Try:
 

@@ -1,4 +1,4 @@
-"""A picture of any study: the paper's kinds, a comparison, or the means of all cases."""
+"""A picture of any study: the paper's kinds, a comparison, growth, or the means of all cases."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from covey.model import InputError
 from covey.model.units import titled, with_unit
 from covey.studies import (
+    CaseSummary,
     Comparison,
     Gains,
     StudyResult,
@@ -19,10 +20,13 @@ from covey.studies import (
     survival_ratios,
     turn_rate_gains,
 )
+from covey.studies.statistics import Estimate
 from covey.views.charts.comparison import Ratio, draw_comparison
 from covey.views.charts.gains import Curve, draw_gains
+from covey.views.charts.growth import draw_growth
 from covey.views.charts.ratios import draw_ratios
 
+_MANY_SIZES = 5  # from so many on a curve shows the growth better than marks beside each other
 _MEANS = "mean {time}, ± 95 % confidence"
 
 
@@ -37,7 +41,8 @@ def draw_study(
 
     A study of several teams, or objectives, is drawn as ratios of means. One in which beside team
     sizes only sensing varies is drawn as Fig. 4 of the paper; one in which turn rates vary too, as
-    Fig. 5. Any other is drawn as the mean survival time in each case.
+    Fig. 5. One of at least five team sizes, and at most one other thing that varies, is drawn as
+    curves over the size. Any other is drawn as the mean survival time in each case.
 
     Parameters
     ----------
@@ -81,9 +86,11 @@ def draw_study(
     varying = {name for name, values in result.study["grid"].items() if len(values) > 1}
     if varying - {"team_size"} == {"sensing"}:
         return draw_ratios(survival_ratios(result), **sheet)
+    label = _MEANS.format(time=titled("survival time", result.units.time))
+    if len(result.study["grid"]["team_size"]) >= _MANY_SIZES and len(varying) <= 2:
+        return draw_growth(*_growth(result), label, **sheet)
     if "turn_rate" in varying and varying <= {"team_size", "sensing", "turn_rate"}:
         return _draw_gains(result, sheet)
-    label = _MEANS.format(time=titled("survival time", result.units.time))
     return draw_comparison(list(_means(result)), label, reference=None, **sheet)
 
 
@@ -115,18 +122,34 @@ def curves_of(gains: Gains) -> dict[int, Curve]:
     }
 
 
+def _growth(result: StudyResult) -> tuple[list[int], dict[str, list[Estimate]]]:
+    """Return the team sizes, and the means of each curve over them."""
+    curves: dict[str, dict[int, Estimate]] = {}
+    for line in summary(result):
+        case = result.cases[line.case]
+        name = _settings_text(result, line, {"team_size"})
+        curves.setdefault(name, {})[case["team_size"]] = line.survival
+    sizes = sorted(result.study["grid"]["team_size"])
+    return sizes, {name: [means[size] for size in sizes] for name, means in curves.items()}
+
+
 def _means(result: StudyResult) -> Iterator[Ratio]:
     """Return the mean of each case: a row for each sensing, a strip for the other settings."""
     for line in summary(result):
         case = result.cases[line.case]
-        others = {
-            name: with_unit(result.text_of(name, value), result.unit_of(name))
-            for name, value in line.settings.items()
-            if name not in ("team_size", "sensing")
-        }
-        strip = ", ".join(
-            text if name in ("evaders", "pursuer", "objective") else f"{name} {text}"
-            for name, text in others.items()
-        ).replace("_", " ")
+        strip = _settings_text(result, line, {"team_size", "sensing"})
         row = f"{case['sensing']} pursuer"
         yield Ratio(row, "", strip or "all games", case["team_size"], *line.survival)
+
+
+def _settings_text(result: StudyResult, line: CaseSummary, left_out: set[str]) -> str:
+    """Return the settings in which a case differs from others, as a person reads them."""
+    texts = {
+        name: with_unit(result.text_of(name, value), result.unit_of(name))
+        for name, value in line.settings.items()
+        if name not in left_out
+    }
+    return ", ".join(
+        text if name in ("evaders", "pursuer", "objective") else f"{name} {text}"
+        for name, text in texts.items()
+    ).replace("_", " ")
