@@ -52,6 +52,20 @@ def test_everybody_is_in_sight_at_the_start(open_page, size, query):
         assert tab.evaluate(code, [x, y]) == "board"
 
 
+@pytest.mark.parametrize("width", [1280, 400, 360])
+def test_words_on_the_line_of_time_do_not_touch(open_page, width):
+    tab = open_page("?start=fig3&sensing=hidden", viewport={"width": width, "height": 800})
+    tab.wait(lambda: "reference" in tab.heard)
+    tab.see("best known")
+    words = [each.bounding_box() for each in tab.page.locator(".mark span").all()]
+    assert len(words) == 2
+    first, second = sorted(words, key=lambda box: box["x"])
+    beside = second["x"] >= first["x"] + first["width"] + 4
+    below = second["y"] >= first["y"] + first["height"]
+    assert beside or below
+    assert all(0 <= box["x"] and box["x"] + box["width"] <= width for box in words)
+
+
 def test_a_legend_names_the_signs_that_are_on_the_board(open_page):
     tab = open_page("?start=fig3&sensing=visible")
 

@@ -28,11 +28,13 @@ export class Timeline {
       const early = Math.min(guarantee, reference) / span;
       const late = Math.max(guarantee, reference) / span;
       marks.push(mark("reference", reference / span, `best known ${short(reference, unit)}`));
-      // The words are outside of the two marks or, without room there, at the ends.
+      // The words are outside of the two marks or, without room there, at the ends; in a tight
+      // line the later word is below.
       const [first, last] = guarantee <= reference ? ["guaranteed", "reference"] : ["reference", "guaranteed"];
       const roomy = width * early > WORDS[first] && width * (1 - late) > WORDS[last];
       marks.forEach((each, k) => each.classList.add((k === 0) === (guarantee <= reference) ? "left-of" : "right-of"));
       this.marks.classList.toggle("narrow", !roomy);
+      this.marks.classList.toggle("tight", width < WORDS.guaranteed + WORDS.reference);
     }
     marks.push(...captures.map(([, when]) => mark("capture", when / span, "")));
     this.marks.replaceChildren(...marks);
