@@ -63,7 +63,7 @@ def test_words_on_the_line_of_time_do_not_touch(open_page, width):
     beside = second["x"] >= first["x"] + first["width"] + 4
     below = second["y"] >= first["y"] + first["height"]
     assert beside or below
-    assert all(0 <= box["x"] and box["x"] + box["width"] <= width for box in words)
+    assert all(box["x"] >= 0 and box["x"] + box["width"] <= width for box in words)
 
 
 def test_a_legend_names_the_signs_that_are_on_the_board(open_page):
