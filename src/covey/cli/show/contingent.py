@@ -26,12 +26,16 @@ def print_tree(
     critical, with_delays = tree.critical_sequences, tree.with_delays.survival_time
     cost = f"{counted(tree.starts, 'ascent')}, {counted(tree.steps, 'step')}"
     leaving = f"{counted(len(tree.evaders) - 1, 'capture')} after which somebody lives"
+    alone = len(tree.evaders) == 1
+    answers = (
+        "none, as the only capture is the last" if alone else f"the first {tree.depth} of {leaving}"
+    )
     facts = [
         ("guaranteed survival time", number(tree.survival_time, units.time)),
         ("if captures are put off", f"{number(with_delays, units.time)} at least"),
         ("without answers", f"{number(open_loop, units.time)}; the answers gain {gain:.3g} %"),
         ("no team could be sure of", f"more than {number(bracket.upper, units.time)}"),
-        ("answers", f"the first {tree.depth} of {leaving}"),
+        ("answers", answers),
         ("worst sequence", " ".join(map(str, critical[0]))),
         ("search", f"{tree.status} ({cost})"),
     ]

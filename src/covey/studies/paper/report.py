@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
+from covey.model.units import counted
 from covey.model.validation import Floats
 from covey.simulation import Game
 from covey.studies.paper.claims import AT_ONE, Claim, fig4_claims, fig5_claims
@@ -78,7 +79,7 @@ def _head(*results: StudyResult) -> str:
 # The paper's section V, played again
 
 S.-Y. Liu, Z. Zhou, C. Tomlin and J. K. Hedrick, *Evasion of a Team of Dubins Vehicles from a Hidden
-Pursuer* (ICRA 2014), Figs. 3 to 5: {games:,} games from {fig4.study["starts"]} starts.
+Pursuer* (ICRA 2014), Figs. 3 to 5: {games:,} games from {counted(fig4.study["starts"], "start")}.
 """
 
 
@@ -167,7 +168,8 @@ def _fig5(gains: Mapping[str, Gains], starts: int) -> str:
 
 *Mean survival time over that at the lowest turning rate, from the same starts. Bars: 95 %
 confidence by the delta method for the ratio of two paired means. Broken lines: teams that answer
-captures, the solid lines times the ratios of the last table here, from {starts} starts.*
+captures, the solid lines times the ratios of the last table here, from
+{counted(starts, "start")}.*
 
 {tables}"""
 
@@ -175,11 +177,11 @@ captures, the solid lines times the ratios of the last table here, from {starts}
 def _contingent(contingent: StudyResult) -> str:
     """Return the table of teams that answer captures, relative to the paper's."""
     depth = contingent.study["grid"]["evaders"][1]["depth"]
-    starts = contingent.study["starts"]
+    the_same = f"the same {counted(contingent.study['starts'], 'start')}"
     return f"""\
 A team that answers captures plans, too, what those left do after the next {depth} captures. The
-ratios are to the paper's team at the same turning rate, from the same {starts} starts. The pursuer
-is hidden: a visible one that is committed may never capture everybody of such a team.
+ratios are to the paper's team at the same turning rate, from {the_same}. The pursuer is hidden: a
+visible one that is committed may never capture everybody of such a team.
 
 {_gains_table(HIDDEN, answer_gains(contingent), skipped=0)}"""
 
