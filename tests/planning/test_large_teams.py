@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import math
 
 import numpy as np
@@ -27,17 +26,15 @@ def test_a_plan_within_a_second_is_worth_what_it_says(count):
     assert 0.0 < plan.survival_time <= found.upper * (1.0 + 1e-12)
 
 
-@pytest.fixture
-def without_tables(monkeypatch):
-    """Plans of four evaders and more are those of large teams, and the minimum keeps no table."""
-
-    def replace_workspaces(largest_table=3):
-        walking = functools.partial(new_workspace, fewest_walking=4, largest_table=largest_table)
-        monkeypatch.setattr(workspaces, "new_workspace", walking)
-        workspaces._kept.__dict__.clear()
-
-    yield replace_workspaces
-    workspaces._kept.__dict__.clear()
+@pytest.mark.parametrize("starts", [1, 6])
+@pytest.mark.parametrize("count", [19, 24, 50])
+def test_a_plan_without_any_time_is_worth_what_it_says(count, starts):
+    team, disk = random_game(np.random.default_rng(count), count)
+    plan = covey.plan(team, disk, starts=starts, time_limit=0.0)
+    found = covey.guaranteed_survival(team, disk, plan.turns, time_limit=1.0)
+    assert 0.0 < plan.survival_time <= found.upper * (1.0 + 1e-12)
+    again = covey.plan(team, disk, warm_start=plan, time_limit=0.0)
+    assert again.survival_time >= plan.survival_time * (1.0 - 1e-12)
 
 
 @pytest.mark.parametrize("largest_table", [3, 20])

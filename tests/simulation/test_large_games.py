@@ -7,18 +7,19 @@ import covey
 from random_games import random_game
 
 
-def far_apart(count):
-    """A team whose plan takes a moment: slow evaders, of which few sequences are nearly equal."""
+def slow_team(count):
+    """A team and a disk: of slow evaders few sequences are nearly equal, so all takes a moment."""
     team, disk = random_game(np.random.default_rng(4), count)
     slow = covey.Team(team.positions, team.headings, 0.05, team.turn_rates)
     return slow, disk
 
 
-@pytest.fixture(scope="module")
-def game():
-    team, disk = far_apart(21)
-    evaders = covey.IterativeOpenLoop(starts=1, replan_time=1.0)
-    return covey.simulate(team, disk, evaders=evaders, update_time=0.25)
+@pytest.fixture
+def game(without_tables):
+    team, disk = random_game(np.random.default_rng(6), 7)
+    without_tables()
+    evaders = covey.IterativeOpenLoop(starts=4, replan_time=0.1)
+    return covey.simulate(team, disk, evaders=evaders, update_time=0.02)
 
 
 def test_a_team_survives_what_its_plan_guarantees(game):
@@ -54,7 +55,7 @@ def test_a_record_is_read_again(game, tmp_path):
 
 
 def test_strategies_in_python_play_too():
-    team, disk = far_apart(22)
+    team, disk = slow_team(22)
     game = covey.simulate(
         team, disk, evaders="straight-away", pursuer="nearest-first", update_time=1.0
     )
