@@ -26,6 +26,14 @@ def test_a_plan_within_a_second_is_worth_what_it_says(count):
     assert 0.0 < plan.survival_time <= found.upper * (1.0 + 1e-12)
 
 
+@pytest.mark.parametrize("name", ["circle", "line", "clusters", "pairs", "one-fast", "mixed"])
+def test_degenerate_teams_of_thirty_have_plans_worth_what_they_say(name):
+    game = covey.load_instance(f"{name}-30")
+    plan = covey.plan(game.team, game.disk, starts=1, time_limit=0.6)
+    found = covey.guaranteed_survival(game.team, game.disk, plan.turns, time_limit=0.6)
+    assert 0.0 < plan.survival_time <= found.upper * (1.0 + 1e-12)
+
+
 @pytest.mark.parametrize("starts", [1, 6])
 @pytest.mark.parametrize("count", [19, 24, 50])
 def test_a_plan_without_any_time_is_worth_what_it_says(count, starts):

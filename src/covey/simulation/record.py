@@ -101,14 +101,16 @@ class Game(Value):
     evader_turns : numpy.ndarray
         (T, N) signed turns that are still planned; 0 for captured evaders.
     guarantees : numpy.ndarray
-        (T,) guaranteed survival time, from that row on, of the plan that is flown.
+        (T,) guaranteed survival time, from that row on, of the plan that is flown. Exact for up to
+        20 living evaders, else a proven lower bound.
     assurances : numpy.ndarray
         (T,) time since the start of the game by which the pursuer has captured everybody, whatever
         the evaders do, by what it knew at that row; inf if its strategy assures nothing. It never
         rises.
     critical_sequences, pursuer_sequences : numpy.ndarray
-        (T, N) the order in which the flown plan would be captured earliest, and the order that the
-        pursuer has in mind, if its strategy names one; filled up with -1.
+        (T, N) the order in which the flown plan would be captured earliest (for more than 20 living
+        evaders the worst order known), and the order that the pursuer has in mind, if its strategy
+        names one; filled up with -1.
     pursuer_positions : numpy.ndarray
         (T, 2). Against a hidden pursuer that the rules know as a disk only, a straight flight that
         explains each capture.

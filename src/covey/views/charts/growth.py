@@ -50,8 +50,9 @@ def draw_growth(
     sheet = sheet_of(ax, title, width)
     page = new_page(sheet, _BOTTOM + _SIDE + _ABOVE)
     axes = page.panel(_LEFT, _BOTTOM, sheet.width - _LEFT - _RIGHT, _SIDE)
+    step = max((len(style.TEAM_SHADES) - 1) // max(len(curves) - 1, 1), 1)  # far apart
     for k, (name, estimates) in enumerate(curves.items()):
-        shown = style.team_size_series(2 * k, 0) | {"label": name}
+        shown = style.team_size_series(step * k, 0) | {"label": name}
         axes.errorbar(
             sizes,
             [each.value for each in estimates],
