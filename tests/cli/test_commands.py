@@ -73,6 +73,16 @@ def test_what_a_contingent_plan_is_not_for_is_said(scenario, tmp_path, capsys):
     assert "about the last capture, got the objective total-survival" in " ".join(
         capsys.readouterr().err.split()
     )
+    assert main(["plan", "three.toml", "--contingent", "--time-limit", "1"]) == 2
+    assert "--time-limit: expected without --contingent" in capsys.readouterr().err
+
+
+def test_a_plan_within_a_time_limit_stands_alone(scenario, capsys):
+    plan, text = scenario.plan(), printed(capsys, "plan", "three.toml", "--time-limit", "60")
+    assert f"guaranteed survival time  {plan.survival_time:.6g}" in text
+    assert "no team could be sure" not in text
+    assert main(["plan", "three.toml", "--time-limit", "-1"]) == 2
+    assert "time_limit: expected a finite number >= 0, got -1" in capsys.readouterr().err
 
 
 def test_plan_prints_guarantee_headings_sequences_and_how_the_search_ended(scenario, capsys):

@@ -64,14 +64,21 @@ class Scenario(Value):
         facts = {times.get(name, name): value for name, value in vars(self).items()}
         return html_facts("Scenario", facts)
 
-    def plan(self) -> Plan:
-        """Return the open-loop plan, with which a team that flies one begins the game."""
+    def plan(self, time_limit: float | None = None) -> Plan:
+        """Return the open-loop plan, with which a team that flies one begins the game.
+
+        Parameters
+        ----------
+        time_limit
+            Seconds after which the search ends, see `covey.plan`.
+        """
         return plan(
             self.team,
             self.disk,
             objective=self.objective,
             seed=self.seed,
             starts=self._starts,
+            time_limit=time_limit,
         )
 
     def plan_contingent(self, depth: int | None = None) -> ContingentPlan:

@@ -80,6 +80,56 @@ def test_an_interrupt_from_a_terminal_is_one_line_and_nothing_is_lost(running):
     wait_for(lambda: not group(process.pid), 10.0)
 
 
+def workers(leader):
+    """The processes of a group that play games, by number."""
+    found = set()
+    for number in group(leader):
+        with contextlib.suppress(OSError):
+            if b"LokyProcess" in Path(f"/proc/{number}/cmdline").read_bytes():
+                found.add(number)
+    return found
+
+
+def test_workers_end_with_the_command_although_they_have_been_stopped(tmp_path):
+    """Python would wait for them at its exit."""
+    script = """
+import sys
+from pathlib import Path
+import covey
+from covey.cli.show import study
+from covey.studies import run_study
+
+def run(*arguments, **options):
+    result = run_study(*arguments, **options)
+    print("played", flush=True)
+    sys.stdin.readline()
+    return result
+
+study.studies.run_study, played = run, covey.Study(starts=4, team_size=2, update_time=0.2)
+study.run_with_progress(played, Path("results"), 2)
+"""
+    pipes = dict.fromkeys(("stdin", "stdout"), subprocess.PIPE)
+    with subprocess.Popen(
+        [sys.executable, "-c", script],
+        cwd=tmp_path,
+        encoding="utf-8",
+        start_new_session=True,
+        **pipes,
+    ) as process:
+        assert process.stdout.readline() == "played\n"
+        stopped = workers(process.pid)
+        assert stopped
+        for number in stopped:
+            os.kill(number, signal.SIGSTOP)
+        try:
+            process.communicate("\n", timeout=20)
+            assert process.returncode == 0
+            wait_for(lambda: not group(process.pid), 10.0)
+        finally:
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+
+
 def test_workers_end_with_a_parent_that_was_killed(running):
     process, _ = running
     assert len(group(process.pid)) >= 3

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
@@ -13,6 +13,9 @@ from covey.cli.shared.waiting import waiting
 from covey.cli.show.contingent import print_tree, tree_as_json
 from covey.cli.show.json_output import plan_as_json, print_json
 from covey.cli.show.tables import print_plan
+
+if TYPE_CHECKING:
+    from covey.model import Objective
 
 
 def plan(
@@ -28,6 +31,13 @@ def plan(
     depth: Annotated[
         int | None,
         Parameter(help="With --contingent: how many captures are answered; by default all."),
+    ] = None,
+    time_limit: Annotated[
+        float | None,
+        Parameter(
+            help="Seconds after which the search ends with the best plan so far. The plan then "
+            "stands alone."
+        ),
     ] = None,
     seed: Seed = None,
     json: Json = False,
@@ -48,6 +58,8 @@ def plan(
         covey plan fig3
 
         covey plan fig3 --contingent
+
+        covey plan many.toml --time-limit 10
     """
     from covey.kernels.arrays import LARGEST_TABLE  # only now, as they load NumPy
     from covey.planning.compiled_objective import checked_objective
@@ -55,20 +67,17 @@ def plan(
     scenario = read_scenario(file, seed)
     objective = checked_objective(scenario.objective)
     last_capture = isinstance(objective, covey.LastCapture)
-    if depth is not None and not contingent:
+    if contingent:
+        _check_contingent(objective, time_limit)
+    elif depth is not None:
         raise covey.InputError(
             "--depth: expected --contingent beside it; without, none is answered"
         )
-    if contingent and not last_capture:
-        raise covey.InputError(
-            "--contingent: expected a scenario about the last capture, got the objective "
-            f"{objective.describe()['name']}; leave [game] objective out"
-        )
     with waiting("planning"):
         tree = scenario.plan_contingent(depth) if contingent else None
-        bounded = last_capture and len(scenario.team) <= LARGEST_TABLE
+        bounded = last_capture and time_limit is None and len(scenario.team) <= LARGEST_TABLE
         bracket = scenario.bracket(depth=0) if bounded else None
-        found = scenario.plan() if bracket is None else bracket.plan
+        found = scenario.plan(time_limit) if bracket is None else bracket.plan
         if tree is not None:
             _ = tree.with_delays  # computed while the command says that it works
     if tree is not None and bracket is not None:
@@ -80,3 +89,16 @@ def plan(
         print_json(plan_as_json(scenario, found, bracket))
     else:
         print_plan(scenario, found, bracket)
+
+
+def _check_contingent(objective: Objective, time_limit: float | None) -> None:
+    """Raise InputError if there are no plans that answer captures for this."""
+    if not isinstance(objective, covey.LastCapture):
+        raise covey.InputError(
+            "--contingent: expected a scenario about the last capture, got the objective "
+            f"{objective.describe()['name']}; leave [game] objective out"
+        )
+    if time_limit is not None:
+        raise covey.InputError(
+            "--time-limit: expected without --contingent, whose search has no limit"
+        )

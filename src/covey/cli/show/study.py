@@ -23,6 +23,7 @@ from covey.cli.shared.outputs import print_saved
 from covey.cli.show.comparison import print_comparison
 from covey.kernels.library.load import load_library
 from covey.model.units import counted, titled
+from covey.studies.running.executors import end_processes
 
 _HEADINGS = {"team_size": "team"}
 
@@ -60,6 +61,8 @@ def run_with_progress(
             raise KeyboardInterrupt(
                 f"{folder} keeps the games that were finished, and the same command goes on there"
             ) from None
+        finally:
+            end_processes()
 
 
 def print_study(result: studies.StudyResult) -> None:

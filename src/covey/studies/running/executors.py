@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from concurrent import futures
 from concurrent.futures import BrokenExecutor, Future
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, ClassVar
 
 from covey.kernels.library.load import load_library
 from covey.model import InputError
@@ -64,6 +64,9 @@ class InProcess(Executor):
 class ProcessPool(Executor):
     """Processes on this machine. They outlive a study, and the next study uses them again."""
 
+    latest: ClassVar[futures.Executor | None] = None
+    """The pool of the latest study in this process."""
+
     def __init__(self, size: int) -> None:
         self._size = size
         load_library()  # is built here if need be, with a bar; the processes would wait in silence
@@ -84,10 +87,11 @@ class ProcessPool(Executor):
             initializer=depend_on_parent,
             initargs=(os.getpid(),),
         )
+        ProcessPool.latest = self._pool
 
     def cancel(self) -> None:
         """Kill the processes."""
-        self._pool.shutdown(wait=False, kill_workers=True)  # type: ignore[call-arg] # loky's
+        end_processes()
 
 
 class DaskCluster(Executor):
@@ -120,6 +124,16 @@ class DaskCluster(Executor):
         """Disconnect. The cluster goes on."""
         self._pool.shutdown(wait=False)
         self._client.close()
+
+
+def end_processes() -> None:
+    """Kill the processes that earlier studies have left for the next study.
+
+    At its exit Python waits for each of these processes, also for a process that has been stopped.
+    """
+    if ProcessPool.latest is not None:
+        ProcessPool.latest.shutdown(wait=False, kill_workers=True)  # type: ignore[call-arg] # loky's
+        ProcessPool.latest = None
 
 
 @contextmanager
