@@ -171,7 +171,7 @@ def _latest_at_corners(
             next_captures(paths, pursuit, previous, i, earlier, times, predecessor[i])
         positions = _after(corners, others[-1], times)
     # The last evader is taken to turn at once from the time on at which it becomes the target.
-    places = np.unique(_after(corners, last, np.full(count, known[last] - opening.time)), axis=0)
+    places = _distinct(_after(corners, last, np.full(count, known[last] - opening.time)))
     away = places[np.newaxis] - positions[:, np.newaxis]
     distances = np.hypot(away[..., 0], away[..., 1])
     farthest = distances.argmax(axis=1)
@@ -192,6 +192,15 @@ def _after(corners: Corners, i: int, times: Floats) -> Floats:
     flown = (corners.speeds[i] * times)[:, np.newaxis] * unit_vectors(corners.headings[i])
     after: Floats = corners.positions[i] + flown
     return after
+
+
+def _distinct(points: Floats) -> Floats:
+    """Return points (C, 2) without repetition, in ascending order.
+
+    Complex numbers and not rows: `np.unique` of rows answers an interrupt by a TypeError, because
+    NumPy replaces the exception while it looks for a common type.
+    """
+    return np.unique(points.view(np.complex128)).view(np.float64).reshape(-1, 2)
 
 
 @lru_cache(maxsize=64)
