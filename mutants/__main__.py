@@ -38,7 +38,7 @@ _LONGEST = 1800
 NO_TESTS = 5
 """Exit status of pytest where all tests were run before."""
 
-TOO_LONG = "tests that don't end"
+TOO_LONG, CRASHED = "tests that don't end", "tests whose process crashes"
 
 _FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+\.py(?:::\w+)*)", re.MULTILINE)
 
@@ -75,7 +75,7 @@ def catching_test(bug: Bug, *, beside_only: bool) -> str | None:
         nearest = beside if beside_only else [*beside, "tests"]
         runs = ([path, *_without([_PLANTING, *nearest[:k]])] for k, path in enumerate(nearest))
         failed = next(filter(None, (first_failure(tree, run, own) for run in runs)), None)
-        if failed is None or failed == TOO_LONG:
+        if failed in (None, TOO_LONG, CRASHED):
             return failed
         if first_failure(copied_tree(Path(folder) / "sound"), [failed], {}) is not None:
             raise RuntimeError(f"{failed} fails without the bug, too")
@@ -122,6 +122,8 @@ def first_failure(tree: Path, tests: Iterable[str], own: Mapping[str, str]) -> s
         )
     except subprocess.TimeoutExpired:
         return TOO_LONG
+    if done.returncode < 0:  # a signal
+        return CRASHED
     failed = _FAILED.search(done.stdout)
     if failed is None and done.returncode not in {0, NO_TESTS}:
         raise RuntimeError(f"the tests don't run: {done.stdout[-500:]}{done.stderr[-500:]}")

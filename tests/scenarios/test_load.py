@@ -27,6 +27,12 @@ def test_one_position_is_a_scenario(tmp_path):
     assert scenario.pursuer == covey.CommittedPursuer()
 
 
+def test_a_game_is_stopped_at_the_time_limit_of_its_file(tmp_path):
+    game = loaded(tmp_path, f"{ONE_EVADER}[game]\ntime_limit = 0.1").simulate()
+    assert game.status is covey.GameStatus.TIME_LIMIT
+    assert game.times[-1] == pytest.approx(0.1)
+
+
 def test_everything_can_be_said(tmp_path):
     scenario = loaded(
         tmp_path,
