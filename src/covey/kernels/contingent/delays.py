@@ -14,7 +14,7 @@ import math
 from typing import NamedTuple
 
 from covey.kernels._jit import compiled, entry, inlined
-from covey.kernels.arrays import IntVector, Matrix, Workspace
+from covey.kernels.arrays import GO_ON, IntVector, Matrix, Workspace
 from covey.kernels.capture.path import HALF_RATE, TURN_END, velocity
 from covey.kernels.capture.pursuit import Pursuit
 from covey.kernels.contingent.minimum import (
@@ -63,8 +63,9 @@ def survives_delays(
     """Return whether every play, with captures as late as the pursuer likes, ends after the target.
 
     The answer is no, too, where that can't be shown with intervals above the finest, or with the
-    most nodes. Then a play that may end before is left behind: its sequence in `search.worst`, and
-    the times of the captures that are put off in `search.levels.disks`, from the second row on.
+    most nodes, or where `workspace.stop` was set. Then a play that may end before is left behind:
+    its sequence in `search.worst`, and the times of the captures that are put off in
+    `search.levels.disks`, from the second row on.
 
     Parameters
     ----------
@@ -85,6 +86,8 @@ def survives_delays(
     if not _ends_late(problem, tree, 0, search, scratch):
         return False
     while level >= 0:
+        if workspace.stop[0] != GO_ON:
+            return False
         if level < tree.depth and _next_interval(problem, tree, level, search):
             _enter(problem, tree, level + 1, _drift_below(level, search), search)
             if _ends_late(problem, tree, level + 1, search, scratch):

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from covey.kernels.arrays import Workspace
 from covey.kernels.contingent.delays import (
     INTERVAL,
     MOST,
@@ -20,7 +21,7 @@ from covey.model.display import html_row, one_line, quantity
 from covey.model.units import titled, units_with
 from covey.planning.contingent.moment import Moment, after_capture
 from covey.planning.contingent.search import problem_of
-from covey.planning.workspace import workspace
+from covey.planning.long_calls import interceptions_of_minimum, interruptible
 
 RESOLUTION = 1e-3
 """Relative, of the least over all delays; larger where the search would take too long."""
@@ -81,27 +82,38 @@ def with_delays(
 ) -> DelayedGuarantee:
     """Return what a tree guarantees with delays; without, it guarantees the given time.
 
-    The certified search of `kernels.contingent.delays`, for a target below the earliest end of a
-    play that is known. Where the search stops at a play that ends earlier, that end is known from
-    then on; where it ends no earlier, the intervals were too long.
+    The certified search of `kernels.contingent.delays`, for targets below the earliest end of a
+    play that is known. Where all plays end after a target, it is guaranteed; the next target is
+    halfway to the earliest end. Where the search stops at a play that ends earlier, that end is
+    known from then on, and the next target is twice as far below it. Where this play ends no
+    earlier, the intervals were too long.
     """
     n = len(moment.evaders)
-    problem, scratch, search = problem_of(moment), workspace(n), _new_search(n)
-    earliest, resolution, finer = survival_time, RESOLUTION, 1.0
-    while resolution < 1.0:
-        target = earliest * (1.0 - resolution)
-        finest = _FINEST * finer * resolution * earliest * moment.pursuit.speed
-        search.counters[VISITED] = 0
-        if survives_delays(problem, tree, search._replace(target=target, finest=finest), scratch):
-            return DelayedGuarantee(target, earliest - target, unit)
+    problem, search = problem_of(moment), _new_search(n)
+    work = _MOST_NODES * interceptions_of_minimum(n, False)
+    guaranteed, earliest = 0.0, survival_time
+    step = resolution = RESOLUTION
+    finer = 1.0
+    while resolution < 1.0 and guaranteed < earliest * (1.0 - resolution):
+        below = max(earliest * (1.0 - step), 0.5 * (guaranteed + earliest))
+        target = min(below, earliest * (1.0 - resolution))
+        finest = _FINEST * finer * (earliest - target) * moment.pursuit.speed
+        wanted = search._replace(target=target, finest=finest)
+
+        def is_survived(scratch: Workspace, wanted: DelaySearch = wanted) -> bool:
+            return survives_delays(problem, tree, wanted, scratch)
+
+        if interruptible(is_survived, n, False, work):
+            guaranteed = target
+            continue
         end = _end_of_play(moment, tree, search)
         if end < earliest * (1.0 - 1e-9):
-            earliest = end
+            earliest, step = end, 2.0 * step
         elif search.counters[VISITED] > search.counters[MOST] or finer < _FINEST_SHARE:
             resolution, finer = _COARSER * resolution, 1.0
         else:
             finer *= _FINER
-    return DelayedGuarantee(0.0, earliest, unit)
+    return DelayedGuarantee(guaranteed, earliest - guaranteed, unit)
 
 
 def _new_search(n: int) -> DelaySearch:
