@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 import covey
+from covey.kernels.contingent.delays import survives_delays
 from covey.model import InputError
+from covey.planning.contingent import delays
 from kernels.contingent import reference_tree
 from random_games import random_game
 
@@ -140,6 +142,26 @@ def test_after_the_last_answer_everybody_flies_on():
     assert last.depth == 0
     assert last.after(2).evaders == (1,)
     assert last.after(2).goal_headings == pytest.approx(last.goal_headings[:1])
+
+
+def test_delays_that_cost_much_are_found_in_few_searches(monkeypatch):
+    """Each search that fails finds a play that ends earlier, at first by a little."""
+    generator, searched = np.random.default_rng(2), []
+    positions, headings = generator.uniform(-0.5, 0.5, (3, 2)), generator.uniform(-3.0, 3.0, 3)
+    speeds, rates = generator.choice([0.25, 0.9, 0.98], 3), generator.choice([1.5, 20.0, 0.3], 3)
+    tree = covey.plan_contingent(
+        covey.Team(positions, headings, speeds, rates), covey.PursuerDisk()
+    )
+
+    def counted(*arguments):
+        searched.append(arguments)
+        return survives_delays(*arguments)
+
+    monkeypatch.setattr(delays, "survives_delays", counted)
+    least = tree.with_delays
+    assert least.survival_time < 0.95 * tree.survival_time
+    assert least.resolution <= 1.1 * delays.RESOLUTION * least.survival_time
+    assert len(searched) < 20
 
 
 @SEEDS
