@@ -1458,8 +1458,9 @@ int64_t covey_set_upper_bounds(const struct covey_set_upper_bounds_words *words,
 /* Return whether every play, with captures as late as the pursuer likes, ends after the target.
 
    The answer is no, too, where that can't be shown with intervals above the finest, or with the
-   most nodes. Then a play that may end before is left behind: its sequence in `search.worst`, and
-   the times of the captures that are put off in `search.levels.disks`, from the second row on.
+   most nodes, or where `workspace.stop` was set. Then a play that may end before is left behind:
+   its sequence in `search.worst`, and the times of the captures that are put off in
+   `search.levels.disks`, from the second row on.
 
    Parameters
    ----------

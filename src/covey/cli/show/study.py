@@ -23,7 +23,6 @@ from covey.cli.shared.outputs import print_saved
 from covey.cli.show.comparison import print_comparison
 from covey.kernels.library.load import load_library
 from covey.model.units import counted, titled
-from covey.studies.running.executors import end_processes
 
 _HEADINGS = {"team_size": "team"}
 
@@ -42,6 +41,8 @@ def run_with_progress(
         TimeRemainingColumn(),
         TextColumn("left"),
     )
+    from covey.studies.running.executors import end_processes  # only now, as it loads much
+
     if dask is None:
         load_library()  # shows a bar of its own while it compiles
     console = Console(stderr=True)
