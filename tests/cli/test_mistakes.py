@@ -119,7 +119,7 @@ def test_a_mistake_is_told_in_one_message(line, message, capsys):
     ("line", "message", "advice"),
     [
         ("pln one.toml", 'Unknown command "pln". Did you mean "plan"?', "covey --help"),
-        ("plan", 'Command "plan" parameter FILE requires an argument.', "covey plan --help"),
+        ("plan", "FILE: expected a value, got none", "covey plan --help"),
         (
             "plan one.toml --sede 3",
             "Unknown option: --sede. Did you mean --seed?",
@@ -132,7 +132,7 @@ def test_a_mistake_is_told_in_one_message(line, message, capsys):
         ),
         (
             "draw game.parquet",
-            'Command "draw" parameter --output requires an argument.',
+            "--output: expected a value, got none",
             "covey draw --help",
         ),
         (

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from cyclopts import App, CycloptsError
+from cyclopts import App, CycloptsError, MissingArgumentError
 
 import covey
 from covey.cli.shared.exit_status import (
@@ -35,8 +35,8 @@ Try:
     covey draw game.parquet --output game.png
     covey chase
 
-Angles are radians, counter-clockwise from +x; lengths and times are in any consistent unit. \
-Evaders are numbered from 0.
+Angles are radians, counter-clockwise from +x, or text such as "90 deg" in files; lengths and \
+times are in any consistent unit, or in the unit that a file names. Evaders are numbered from 0.
 
 Exit status: 0; 2 after a mistake in a file or on the command line; 3 if games of a study could \
 not be played; 130 after Ctrl-C; 1 if nobody reads the output to its end.
@@ -100,6 +100,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         app(arguments, exit_on_error=False, print_error=False, result_action="return_value")
         sys.stdout.flush()
+    except MissingArgumentError as error:
+        name = error.argument.name if error.argument is not None else "argument"
+        return _failed(f"{name}: expected a value, got none\nTry: {_help_command(error)}")
     except CycloptsError as error:
         return _failed(f"{error}\nTry: {_help_command(error)}")
     except BrokenPipeError:

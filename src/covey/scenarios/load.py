@@ -55,8 +55,7 @@ def load_scenario(path: str | os.PathLike[str], *, seed: int | None = None) -> S
     Examples
     --------
     >>> import covey
-    >>> from covey import scenarios
-    >>> scenario = covey.load_scenario(scenarios.example_path("fig3"))
+    >>> scenario = covey.load_scenario("fig3")
     >>> len(scenario.team), scenario.sensing
     (5, 'hidden')
     """

@@ -41,8 +41,7 @@ class Scenario(Value):
     Examples
     --------
     >>> import covey
-    >>> from covey import scenarios
-    >>> scenario = covey.load_scenario(scenarios.example_path("uncertain"))
+    >>> scenario = covey.load_scenario("uncertain")
     >>> game = scenario.simulate()
     >>> game.capture_sequence.tolist()
     [2, 0, 3, 1]
