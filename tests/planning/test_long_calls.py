@@ -15,6 +15,7 @@ from random_games import random_game
 
 DAYS = {
     "a plan for twenty": "covey.plan(team(20), disk, starts=10**4)",
+    "one start for fifty": "covey.plan(team(50), disk, starts=1)",
     "many starts of a small team": "covey.plan(team(4), disk, starts=10**5)",
     "a plan for a sum": "covey.plan(team(16), disk, objective=covey.TotalSurvival(), starts=10**4)",
     "a plan for an expectation": (
@@ -23,7 +24,7 @@ DAYS = {
     "a game": "while True: covey.simulate(team(9), disk, update_time=0.0005)",
     "a worst case": "while True: covey.worst_case(team(4), disk, update_time=0.00002)",
 }
-"""Calls that take far longer than any test."""
+"""Calls that take far longer than any test waits."""
 
 PROGRAM = """
 import signal

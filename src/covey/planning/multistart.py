@@ -123,8 +123,8 @@ class Search:
 
     def run(self, best: Ascents, count: int) -> Ascents:
         """Ascend from `count` guesses; return the best with `best`, this plan among equals."""
-        long = self._size >= PARALLEL or count * self._work > LONG
-        if self._deadline < math.inf or (long and count > 1):
+        long = count * self._work > LONG or (count > 1 and self._size >= PARALLEL)
+        if long or self._deadline < math.inf:
             return self._run_parallel(best, count)
         return best.joined(self._ascend(0, count))
 
