@@ -26,6 +26,7 @@ from covey.model import InputError, LastCapture, PursuerDisk, Team
 from covey.model.validation import Floats, Ints, shown
 from covey.simulation.consistency import require_consistent
 from covey.simulation.files import whole_file
+from covey.simulation.parquet import read_table
 from covey.simulation.record import Game, GameStatus
 from covey.simulation.time_series import time_series
 
@@ -197,10 +198,7 @@ def _checksum(header: bytes, table: Any) -> bytes:
 
 
 def _read(content: bytes) -> tuple[dict[str, Any], Any]:
-    import pyarrow as pa
-    import pyarrow.parquet as pq
-
-    table = pq.read_table(pa.BufferReader(content), use_threads=False)
+    table = read_table(content)
     notes = table.schema.metadata or {}
     if _KEY not in notes:
         raise _NotARecordError(

@@ -13,6 +13,7 @@ import numpy as np
 from covey.model import InputError
 from covey.model.angles import away_from
 from covey.model.validation import Floats
+from covey.simulation.parquet import read_table
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,9 +128,8 @@ class FromFile:
 def _columns(file: Path) -> tuple[Floats, Floats]:
     import pyarrow as pa
     import pyarrow.csv
-    import pyarrow.parquet as pq
 
-    readers = {".csv": pyarrow.csv.read_csv, ".parquet": pq.read_table}
+    readers = {".csv": pyarrow.csv.read_csv, ".parquet": read_table}
     if file.suffix not in readers:
         raise InputError(f"{file}: expected a name that ends in .csv or .parquet")
     try:

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from covey.model.validation import Floats
-from covey.studies.running.tables import GAMES, decoded, schema
+from covey.simulation.parquet import read_table
+from covey.studies.running.tables import GAMES, schema
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -40,7 +41,7 @@ def read_part(content: bytes, kind: str, extent: Extent) -> pa.Table:
     import pyarrow as pa
 
     try:
-        table = decoded(content)
+        table = read_table(content)
         _require_columns(table, kind, extent)  # reads the names, which may be no UTF-8
     except (pa.ArrowException, OSError, ValueError) as error:
         raise DamagedPartError("its bytes are no table") from error

@@ -142,13 +142,3 @@ def encoded(table: pa.Table) -> bytes:
     )
     content: bytes = sink.getvalue().to_pybytes()
     return content
-
-
-def decoded(content: bytes) -> pa.Table:
-    """Return the table of a Parquet file. Raises pyarrow's errors if the bytes are damaged."""
-    import pyarrow as pa
-    import pyarrow.parquet as pq
-
-    return pq.read_table(
-        pa.BufferReader(content), use_threads=False, page_checksum_verification=True
-    )
