@@ -59,6 +59,8 @@ sphinx_gallery_conf = {
     "download_all_examples": False,
     "show_signature": False,
     "write_computation_times": False,
+    "min_reported_time": 60,
+    "capture_repr": (),
 }
 
 # Pages
@@ -77,7 +79,9 @@ autodoc_member_order = "bysource"
 default_role = "autolink"  # `covey.plan` in a docstring
 python_use_unqualified_type_names = True
 numpydoc_show_class_members = False
-autodoc_type_aliases = {name: name for name in ("npt.ArrayLike", "Floats", "Ints")}
+autodoc_type_aliases = {
+    name: name for name in ("npt.ArrayLike", "Floats", "Ints", "PursuerPolicy", "TeamPolicy")
+}
 
 # What is public has a page. Other libraries have pages elsewhere.
 nitpick_ignore_regex = [

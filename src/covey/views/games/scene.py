@@ -33,7 +33,7 @@ from covey.views.kit.page import Page
 from covey.views.kit.point_labels import NUMBER
 from covey.views.kit.sampling import joined, marked, sampled
 
-_BESIDE = 7.0
+_BESIDE = 8.5
 """From an evader to its number, typographic points."""
 
 

@@ -35,7 +35,9 @@ def draw_snapshots(
     title: str | None = None,
     width: float = COLUMN_WIDTH,
 ) -> Figure:
-    """Draw snapshots of a game, all through the same camera, two in a row (Fig. 3 of the paper).
+    """Draw snapshots of a game, all through the same camera, two in a row.
+
+    The paper's Fig. 3 is such a picture.
 
     Parameters
     ----------
