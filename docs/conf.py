@@ -30,6 +30,7 @@ extensions = [
     "messages",
     "notebooks",
     "shell",
+    "unbroken",
 ]
 exclude_patterns = ["_ext", "_templates", "gallery", "generated/gallery/*.ipynb"]
 templates_path = ["_templates"]
@@ -70,6 +71,7 @@ html_css_files = ["covey.css"]
 html_copy_source = False
 html_show_copyright = False
 pygments_style = "friendly"
+highlight_language = "none"  # of a block that names no language
 copybutton_prompt_text = r">>> |\.\.\. |\$ "
 copybutton_prompt_is_regexp = True
 
