@@ -141,10 +141,11 @@ def maps_in_rows(
         name_axes(axes, unit, below=lowest, beside=across == 0)
         axes.set_title(name, loc="left", pad=3, fontsize=TEXT_SIZE * min(1.0, side / widest))
         maps.append(axes)
-    if _touch(maps):
+    if _touch(maps):  # the first number of a map touches the last one of its neighbour
         for k, axes in enumerate(maps):
-            for number in _numbers_below(axes)[: k % columns != 0]:
-                number.set_visible(False)
+            if k % columns > 0:
+                for number in _numbers_below(axes)[:1]:
+                    number.set_visible(False)
     if _touch(maps):
         for k, axes in enumerate(maps):
             axes.tick_params(labelbottom=k % columns == 0 and k + columns >= len(names))

@@ -27,7 +27,7 @@ def rim(center: Floats, radius: float) -> Floats:
 
 
 def marked(points: Floats) -> Floats:
-    """Points (K, 2) of markers, each often enough that no label hides one to hide less of lines."""
+    """Points (K, 2) of markers, each several times, so that labels hide lines rather than them."""
     return np.repeat(np.reshape(points, (-1, 2)), _WEIGHT, axis=0)
 
 
