@@ -96,6 +96,26 @@ def test_a_title_stays_within_a_narrow_picture(drawn, title):
         assert box.y1 <= figure.bbox.y1
 
 
+CURVES = {"hidden": {2: views.Curve([1.0, 1.1], [0.0, 0.0])}}
+CHARTS = {
+    "ratios": lambda width: views.draw_ratios({3: [1.0, 0.99]}, width=width),
+    "gains": lambda width: views.draw_gains([1.0, 2.0], CURVES, width=width),
+    "means": lambda width: views.draw_comparison(
+        [views.Ratio("hidden", "", "open-loop", 3, 0.9, 0.1)], "mean " * 12, width=width
+    ),
+}
+
+
+@pytest.mark.parametrize("chart", CHARTS)
+def test_the_name_of_an_axis_stays_within_a_narrow_chart(chart):
+    figure = CHARTS[chart](2.0)
+    figure.canvas.draw()
+    below = [*(axes.xaxis.label for axes in figure.axes), *figure.texts]
+    boxes_below = [text.get_window_extent() for text in below if text.get_text()]
+    assert boxes_below
+    assert all(0.0 <= box.x0 < box.x1 <= figure.bbox.x1 for box in boxes_below)
+
+
 def test_a_title_on_given_axes_is_no_wider_than_they_are():
     figure = Figure(figsize=(6, 2))
     axes = figure.subplots(1, 3)[1]
