@@ -30,6 +30,7 @@ extensions = [
     "messages",
     "notebooks",
     "shell",
+    "unbroken",
 ]
 exclude_patterns = ["_ext", "_templates", "gallery", "generated/gallery/*.ipynb"]
 templates_path = ["_templates"]
@@ -59,6 +60,8 @@ sphinx_gallery_conf = {
     "download_all_examples": False,
     "show_signature": False,
     "write_computation_times": False,
+    "min_reported_time": 60,
+    "capture_repr": (),
 }
 
 # Pages
@@ -68,6 +71,7 @@ html_css_files = ["covey.css"]
 html_copy_source = False
 html_show_copyright = False
 pygments_style = "friendly"
+highlight_language = "none"  # of a block that names no language
 copybutton_prompt_text = r">>> |\.\.\. |\$ "
 copybutton_prompt_is_regexp = True
 
@@ -77,7 +81,9 @@ autodoc_member_order = "bysource"
 default_role = "autolink"  # `covey.plan` in a docstring
 python_use_unqualified_type_names = True
 numpydoc_show_class_members = False
-autodoc_type_aliases = {name: name for name in ("npt.ArrayLike", "Floats", "Ints")}
+autodoc_type_aliases = {
+    name: name for name in ("npt.ArrayLike", "Floats", "Ints", "PursuerPolicy", "TeamPolicy")
+}
 
 # What is public has a page. Other libraries have pages elsewhere.
 nitpick_ignore_regex = [

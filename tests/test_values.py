@@ -62,7 +62,7 @@ def test_a_value_is_one_line(name):
 
 
 def test_lines_tell_what_matters():
-    assert repr(team()) == "Team(3 evaders, speeds=0.25, turn_rates=1.5708)"
+    assert repr(team()) == "Team(3 evaders, speeds=0.25, turn_rates=pi/2)"
     unequal = covey.Team(POSITIONS[:2], 0.0, [0.1, 0.2], [1.0, np.inf])
     assert repr(unequal) == "Team(2 evaders, speeds=0.1 to 0.2, turn_rates=1 to inf)"
     assert repr(covey.Team(POSITIONS[:1], 0.0)).startswith("Team(1 evader,")

@@ -10,6 +10,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
+from covey.model.display import angle_text, multiple_of_pi
 from covey.scenarios.json_schema import json_schema
 from covey.scenarios.schema import ScenarioFile
 from covey.studies.design.study_file import StudyFile
@@ -56,9 +57,16 @@ def _row(key: str, each: dict[str, Any], table: dict[str, Any]) -> list[str]:
     if key in table.get("required", ()):
         default = "must be given"
     else:
-        default = f"`{_toml(each['default'])}`" if "default" in each else ""
+        default = f"`{_default(each)}`" if "default" in each else ""
     example = f"`{key} = {_toml(each['examples'][0])}`"
     return [f"`{key}`", each["x-meaning"], each["x-wanted"], each["x-unit"], default, example]
+
+
+def _default(each: dict[str, Any]) -> str:
+    """Write a default as it stands in a file, a simple multiple of π as such."""
+    value = each["default"]
+    is_angle = each["x-unit"].startswith("radians") and isinstance(value, float)
+    return _toml(angle_text(value) if is_angle and multiple_of_pi(value) else value)
 
 
 def _toml(value: Any) -> str:

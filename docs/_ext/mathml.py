@@ -19,16 +19,21 @@ from sphinx.writers.html5 import HTML5Translator
 FONT = "STIXTwoMath-Regular.ttf"
 
 
+def mathml(formula: str, display: str = "inline") -> str:
+    """Return a formula as MathML. What stands over a letter is an accent, close to the letter."""
+    return convert(formula, display=display).replace("<mover>", '<mover accent="true">')
+
+
 def visit_inline(self: HTML5Translator, node: nodes.math) -> None:
     """Write a formula in a sentence."""
-    self.body.append(convert(node.astext()))
+    self.body.append(mathml(node.astext()))
     raise nodes.SkipNode
 
 
 def visit_block(self: HTML5Translator, node: nodes.math_block) -> None:
     """Write a formula on a line of its own, with its number if it has one."""
     self.body.append(self.starttag(node, "div", CLASS="equation"))
-    self.body.append(convert(node.astext(), display="block"))
+    self.body.append(mathml(node.astext(), "block"))
     if node["number"]:
         number = get_node_equation_number(self, node)
         self.body.append(f'<span class="eqno">({number})')

@@ -70,7 +70,9 @@ class Shell(PageDirective):
         shown: list[str] = []
         for line in self.content:
             shown += [f"$ {line}", *self._printed(line)]
-        return [self.shown("\n".join(shown), "console")]
+        # In a console a line that begins with # would be a prompt.
+        language = "text" if any(line.startswith("#") for line in shown) else "console"
+        return [self.shown("\n".join(shown), language)]
 
     def _printed(self, line: str) -> list[str]:
         words = shlex.split(line, comments=True)
@@ -86,7 +88,8 @@ class Shell(PageDirective):
         )
         if done.returncode != self.options.get("status", 0):
             raise self.error(f"{line}: exit status {done.returncode}\n{done.stdout}")
-        printed = [each.rstrip() for each in done.stdout.splitlines()]
+        told = done.stdout.replace(str(Path.home() / ".cache"), "~/.cache")
+        printed = [each.rstrip() for each in told.splitlines()]
         first = self.options.get("first", len(printed))
         return printed[:first] + ["..."] * (first < len(printed))
 

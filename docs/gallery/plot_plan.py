@@ -11,4 +11,5 @@ team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1
 disk = covey.PursuerDisk(radius=0.1)
 plan = covey.plan(team, disk)
 figure = covey.draw(plan)
-print(f"guaranteed {plan.survival_time:.3f} against {len(plan.critical_sequences)} sequences")
+count = len(plan.critical_sequences)
+print(f"guaranteed {plan.survival_time:.3f} against {count} sequences")

@@ -39,10 +39,14 @@ def test_the_tables_of_a_new_scenario_name_its_units(capsys):
     text = capsys.readouterr().out
     assert re.search(r"guaranteed survival time +[\d.]+ s *\n", text)
     assert "position (m)" in text
-    assert "then survives (s)" in text
+    assert "( 900,  300)" in text  # metres, with the decimals of the largest
+    header, *answers = text[text.index(" captured ") :].splitlines()
+    assert header.rstrip().endswith("then survives (s)")
+    times = [line.split()[-1] for line in answers if line.strip()[:1] in list("0123")]
+    assert [len(time.partition(".")[2]) for time in times] == [3] * 4
     assert main(["simulate", "mine.toml"]) == 0
     text = capsys.readouterr().out
-    assert re.search(r"survival time +[\d.]+ s  \(", text)
+    assert re.search(r"survival time +[\d.]+ s  \(\d\.\d\d times the guarantee\)", text)
     assert "time (s)" in text
     assert "place (m)" in text
     assert main(["worst-case", "mine.toml"]) == 0

@@ -91,6 +91,7 @@ def test_help_names_the_commands_the_examples_and_the_units(capsys):
 def test_the_help_of_each_command_shows_how_it_is_called(command, capsys):
     assert main([command, "--help"]) == 0
     text = capsys.readouterr().out
+    assert "--empty-" not in text  # nobody needs the opposite of an option that takes numbers
     assert "Try:" in text
     assert f"\n covey {command} " in text
 

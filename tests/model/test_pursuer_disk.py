@@ -88,5 +88,6 @@ def test_headings_away_lead_away_from_the_centre():
 
 
 def test_at_the_centre_no_heading_leads_away():
-    with pytest.raises(covey.InputError, match=r"none at the disk's centre.*got positions\[1\]"):
+    message = r"none at the disk's centre.*got positions\[1\]; choose the heading"
+    with pytest.raises(covey.InputError, match=message):
         covey.PursuerDisk((3, 1)).headings_away([(4, 1), (3, 1)])

@@ -96,3 +96,22 @@ def test_a_turning_radius_is_a_turn_rate_at_full_speed():
 def test_turning_radii_at_their_limits(speed, radius, rate):
     """0 turns at once, also where nothing moves; inf can't turn; no rate exceeds the largest."""
     assert covey.Team([(0, 0)], 0.0, speed, turn_radii=radius).turn_rates.tolist() == [rate]
+
+
+@pytest.mark.parametrize(
+    ("rates", "told"),
+    [
+        (math.pi / 2, "pi/2"),
+        (math.radians(90.0), "pi/2"),
+        (2.0 * math.pi, "2 pi"),
+        (0.75 * math.pi, "3 pi/4"),
+        ([math.pi, 1.0], "1 to pi"),
+        (1.5708, "1.5708"),
+        (0.0, "0"),
+        (math.inf, "inf"),
+    ],
+)
+def test_turn_rates_are_told_as_they_are_typed(rates, told):
+    team = covey.Team([(0.3, 0.1), (-0.2, 0.4)], 0.0, turn_rates=rates)
+    assert repr(team).endswith(f"turn_rates={told})")
+    assert f"<td>{told.split(' to ')[-1]}</td>" in team._repr_html_()

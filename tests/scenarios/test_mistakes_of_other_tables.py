@@ -71,7 +71,8 @@ from scenarios.scenario_files import ONE_EVADER, mistakes
         (
             "[pursuer]\nlast_seen = { position = [0.3, 0.4], ago = 1 }",
             'team.evaders[0].heading: expected a heading in radians, got "away" for an evader at '
-            "the centre of the pursuer's disk, from where every heading leads away",
+            "the centre of the pursuer's disk, from where every heading leads away; "
+            "write heading = 0.0, for example",
         ),
         (
             "[team]\nspeed = 2",

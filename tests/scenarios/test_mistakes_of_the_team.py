@@ -63,7 +63,8 @@ NO_EVADERS = (
         (
             "position = [0, 0.0]",
             'heading: expected a heading in radians, got "away" for an evader at the centre of '
-            "the pursuer's disk, from where every heading leads away",
+            "the pursuer's disk, from where every heading leads away; "
+            "write heading = 0.0, for example",
         ),
         (
             "position = [1, 2]\nspeed = 1.0",

@@ -44,3 +44,10 @@ def boxes(axes):
     """What each label fills, without the line that leads to it, pixels."""
     axes.figure.canvas.draw()
     return [Text.get_window_extent(text) for text in labels(axes)]
+
+
+def numbers_below(axes):
+    """What each number below a map fills, pixels; matplotlib keeps others, outside of the view."""
+    low, high = axes.get_xlim()
+    shown = [each for each in axes.get_xticklabels() if each.get_visible()]
+    return [each.get_window_extent() for each in shown if low <= each.get_position()[0] <= high]

@@ -21,6 +21,7 @@ from views.flown_games import simulated
 
 TEAM, DISK = random_game(np.random.default_rng(2), 3, radius=0.1)
 DRAWN = {
+    "scenario": lambda: covey.load_scenario("unequal"),
     "plan": lambda: covey.plan(TEAM, DISK, starts=2),
     "contingent plan": lambda: covey.plan_contingent(TEAM, DISK),
     "bracket": lambda: covey.bracket(TEAM, DISK, starts=2),
@@ -78,6 +79,66 @@ def test_a_title_and_a_width_of_ones_own(drawn):
     assert "My title" in above + [text.get_text() for text in figure.texts]
 
 
+TITLES = [None, "A rather long title that a person has given to a picture", "of two\nlines"]
+
+
+@EACH
+@pytest.mark.parametrize("title", TITLES)
+def test_a_title_stays_within_a_narrow_picture(drawn, title):
+    figure = covey.draw(drawn, title=title, width=2.0)
+    figure.canvas.draw()
+    names = [axes.title for axes in figure.axes] + [axes._left_title for axes in figure.axes]
+    above = [text for text in [*names, *figure.texts] if text.get_text()]
+    assert above
+    for text in above:
+        box = text.get_window_extent()
+        assert figure.bbox.x0 <= box.x0 < box.x1 <= figure.bbox.x1 + 1.0
+        assert box.y1 <= figure.bbox.y1
+
+
+CURVES = {"hidden": {2: views.Curve([1.0, 1.1], [0.0, 0.0])}}
+CHARTS = {
+    "ratios": lambda width: views.draw_ratios({3: [1.0, 0.99]}, width=width),
+    "gains": lambda width: views.draw_gains([1.0, 2.0], CURVES, width=width),
+    "means": lambda width: views.draw_comparison(
+        [views.Ratio("hidden", "", "open-loop", 3, 0.9, 0.1)], "mean " * 12, width=width
+    ),
+}
+
+
+@pytest.mark.parametrize("chart", CHARTS)
+def test_the_name_of_an_axis_stays_within_a_narrow_chart(chart):
+    figure = CHARTS[chart](2.0)
+    figure.canvas.draw()
+    below = [*(axes.xaxis.label for axes in figure.axes), *figure.texts]
+    boxes_below = [text.get_window_extent() for text in below if text.get_text()]
+    assert boxes_below
+    assert all(0.0 <= box.x0 < box.x1 <= figure.bbox.x1 for box in boxes_below)
+
+
+def test_a_title_on_given_axes_is_no_wider_than_they_are():
+    figure = Figure(figsize=(6, 2))
+    axes = figure.subplots(1, 3)[1]
+    covey.draw(made("plan"), ax=axes, title=TITLES[1])
+    figure.canvas.draw()
+    assert axes._left_title.get_window_extent().width <= axes.get_window_extent().width
+
+
+def test_a_scenario_shows_where_the_game_starts():
+    scenario = made("scenario")
+    (axes,) = covey.draw(scenario).axes
+    assert axes.get_title(loc="left") == "4 evaders, hidden pursuer"
+    team = scenario.team
+    assert points(axes, "evaders").tolist() == team.positions.tolist()
+    ahead = points(axes, "headings").reshape(4, 2, 2)
+    assert ahead[:, 0].tolist() == team.positions.tolist()
+    x, y = (ahead[:, 1] - ahead[:, 0]).T
+    assert np.arctan2(y, x) == pytest.approx(team.headings)
+    assert np.hypot(x, y) / np.hypot(x, y).max() == pytest.approx(team.speeds / team.speeds.max())
+    assert [text.get_text() for text in labels(axes)] == ["0", "1", "2", "3"]
+    assert points(axes, "disk center").tolist() == [scenario.disk.center.tolist()]
+
+
 @pytest.mark.parametrize("name", [name for name in views.__all__ if name.startswith("draw")])
 def test_every_drawing_takes_axes_a_title_and_a_width(name):
     assert {"ax", "title", "width"} <= inspect.signature(getattr(views, name)).parameters.keys()
@@ -98,7 +159,7 @@ def test_a_bracket_shows_the_plan_that_guarantees_most_and_names_both_bounds(dep
 
 @pytest.mark.parametrize("other", [None, 3, TEAM, "fig3"])
 def test_what_has_no_picture_is_told(other):
-    with pytest.raises(covey.InputError, match=r"^x: expected a plan, .* a study, got "):
+    with pytest.raises(covey.InputError, match=r"^x: expected a scenario, .* a study, got "):
         covey.draw(other)
 
 

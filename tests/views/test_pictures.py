@@ -172,6 +172,22 @@ def test_labels_of_one_place_lie_side_by_side():
     assert max(box.x1 for box in boxes(axes)) < axes.get_window_extent().x1
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_a_label_leaves_its_mark_free_wherever_it_stands(seed):
+    _, axes = single_map(Camera(0.0, 0.0, 1.0), Sheet(None, None, 3.5))
+    generator = np.random.default_rng(seed)
+    marks, lines = generator.uniform(-0.6, 0.6, (6, 2)), generator.uniform(-1.0, 1.0, (300, 2))
+    label(axes, marks, ["1: t = 2.75"] * 6, lines)
+    for (x, y), box in zip(axes.transData.transform(marks), boxes(axes), strict=True):
+        gap = math.hypot(max(box.x0 - x, 0.0, x - box.x1), max(box.y0 - y, 0.0, y - box.y1))
+        assert gap * 72.0 / axes.figure.dpi > 0.5 * style.CAPTURED_SIZE
+
+
+def test_labels_of_a_narrow_map_are_smaller():
+    wide, narrow = (draw_game(simulated(), width=width).axes[0] for width in (3.5, 1.8))
+    assert labels(narrow)[0].get_fontsize() < labels(wide)[0].get_fontsize() == 7.0
+
+
 def _luminance(color):
     """Relative luminance of WCAG 2, to which a figure printed in grey comes down."""
     channels = [int(color[k : k + 2], 16) / 255 for k in (1, 3, 5)]

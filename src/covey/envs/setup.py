@@ -44,7 +44,7 @@ class Setup:
     Parameters
     ----------
     team_size
-        Evaders, 1 to 20.
+        Evaders, 1 to 50.
     speed, turn_rate
         Of every evader, or one for each. A turn rate of inf turns at once.
     pursuer_speed

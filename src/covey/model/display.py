@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import math
+from collections.abc import Callable, Iterable, Mapping
 from enum import Enum
 from html import escape
 from itertools import islice
@@ -27,6 +28,25 @@ def brief(value: object) -> str:
     return value.name if isinstance(value, Enum) else str(value)
 
 
+def angle_text(value: float) -> str:
+    """Write an angle or a turn rate as files do: "pi/2", or a number to six digits."""
+    found = multiple_of_pi(value)
+    if found is None:
+        return brief(value)
+    factor, divisor = found
+    times = "pi" if factor == 1 else f"{factor} pi"
+    return times if divisor == 1 else f"{times}/{divisor}"
+
+
+def multiple_of_pi(value: float) -> tuple[int, int] | None:
+    """Return k and n if a value is a simple multiple k π/n; None: it is another number."""
+    for divisor in (1, 2, 3, 4, 6, 8):
+        factor = value * divisor / math.pi
+        if 0.5 < factor < 9.5 and abs(factor - round(factor)) < 1e-9:
+            return round(factor), divisor
+    return None
+
+
 def quantity(value: object, unit: str) -> str:
     """Write a number to six digits, or a tuple of such, with its unit if there is one."""
     return with_unit(brief(value), unit)
@@ -42,10 +62,10 @@ def html_row(caption: str, facts: Mapping[str, object]) -> str:
     return html_table(caption, {name: [value] for name, value in facts.items()})
 
 
-def spread(values: Floats) -> str:
+def spread(values: Floats, write: Callable[[float], str] = brief) -> str:
     """Write the value (N,) that all evaders have, or the least and the largest one."""
     least, largest = float(values.min()), float(values.max())
-    return brief(least) if least == largest else f"{brief(least)} to {brief(largest)}"
+    return write(least) if least == largest else f"{write(least)} to {write(largest)}"
 
 
 def html_table(caption: str, columns: Mapping[str, Iterable[object]]) -> str:

@@ -108,7 +108,8 @@ class ExpectedSurvival:
     >>> import covey
     >>> team = covey.Team([[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5]], headings=[0.3, 2.0, -1.4])
     >>> disk = covey.PursuerDisk()
-    >>> likely = covey.ExpectedSurvival([(0, 1, 2), (0, 2, 1)], weights=[3.0, 1.0], measure="last")
+    >>> sequences, weights = [(0, 1, 2), (0, 2, 1)], [3.0, 1.0]
+    >>> likely = covey.ExpectedSurvival(sequences, weights, measure="last")
     >>> round(covey.plan(team, disk, objective=likely).value, 3)
     3.583
     """

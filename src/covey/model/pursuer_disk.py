@@ -162,7 +162,7 @@ class PursuerDisk(Value):
         if at_center.size:
             raise InputError(
                 f"positions: expected none at the disk's centre, from where every heading leads "
-                f"away, got positions[{at_center[0]}]"
+                f"away, got positions[{at_center[0]}]; choose the heading of this evader yourself"
             )
         return away_from(self.center, checked)
 

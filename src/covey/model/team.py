@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from covey.model.display import html_table, one_line, spread
+from covey.model.display import angle_text, html_table, one_line, spread
 from covey.model.units import Units, counted, titled, units_with, with_unit
 from covey.model.validation import (
     LARGEST,
@@ -126,7 +126,7 @@ class Team(Value):
             "Team",
             counted(len(self), "evader"),
             speeds=with_unit(spread(self.speeds), units.speed),
-            turn_rates=with_unit(spread(self.turn_rates), units.turn_rate),
+            turn_rates=with_unit(spread(self.turn_rates, angle_text), units.turn_rate),
         )
 
     def _repr_html_(self) -> str:
@@ -137,7 +137,8 @@ class Team(Value):
             titled("speed", speed),
             titled("turn rate", rate),
         )
-        columns = dict(zip(names, self.as_rows().T.tolist(), strict=True))
+        *numbers, rates = self.as_rows().T.tolist()
+        columns = dict(zip(names, [*numbers, map(angle_text, rates)], strict=True))
         return html_table(repr(self), {"evader": range(len(self)), **columns})
 
     @property

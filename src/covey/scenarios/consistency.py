@@ -120,7 +120,8 @@ def _headings(document: Document) -> Iterator[Mistake]:
             yield Mistake(
                 (*path, "heading"),
                 f'expected a heading in radians, got "{AWAY}" for an evader at the centre of the '
-                "pursuer's disk, from where every heading leads away",
+                "pursuer's disk, from where every heading leads away; write heading = 0.0, for "
+                "example",
             )
 
 

@@ -43,7 +43,7 @@ def check_strategy(
     Notes
     -----
     The games are of one to three evaders, with a hidden pursuer and a visible one, with and without
-    a limit to the turn rates. Each is played twice with the same seed. Looked for are
+    a limit to the turn rates. Each is played twice with the same seed. The check finds
 
     - classes in place of values, and a `start` or a policy that can't be called;
     - exceptions, and situations that are changed;

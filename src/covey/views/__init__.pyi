@@ -17,6 +17,7 @@ from .film.mp4 import require_video as require_video
 from .games.game import draw_game as draw_game
 from .games.plan import draw_bracket as draw_bracket
 from .games.plan import draw_plan as draw_plan
+from .games.scenario import draw_scenario as draw_scenario
 from .games.snapshots import draw_snapshots as draw_snapshots
 from .games.snapshots import times_around_first_capture as times_around_first_capture
 from .games.tree import draw_contingent as draw_contingent

@@ -12,14 +12,17 @@ from covey.bounds import Bracket
 from covey.model import InputError
 from covey.model.validation import shown
 from covey.planning import ContingentPlan, Plan
+from covey.scenarios import Scenario
 from covey.simulation import Game
 from covey.studies import StudyResult
 from covey.views.charts.study import draw_study
 from covey.views.games.game import draw_game
 from covey.views.games.plan import draw_bracket, draw_plan
+from covey.views.games.scenario import draw_scenario
 from covey.views.games.tree import draw_contingent
 
 _DRAWN: Mapping[type, Callable[..., Figure]] = {
+    Scenario: draw_scenario,
     Plan: draw_plan,
     ContingentPlan: draw_contingent,
     Bracket: draw_bracket,
@@ -29,19 +32,19 @@ _DRAWN: Mapping[type, Callable[..., Figure]] = {
 
 
 def draw(
-    x: Plan | ContingentPlan | Bracket | Game | StudyResult,
+    x: Scenario | Plan | ContingentPlan | Bracket | Game | StudyResult,
     ax: Axes | None = None,
     *,
     title: str | None = None,
     width: float | None = None,
 ) -> Figure:
-    """Draw a plan, a contingent plan, a bracket, a game or the results of a study.
+    """Draw a scenario, a plan, a contingent plan, a bracket, a game or the results of a study.
 
     Parameters
     ----------
     x
-        What `covey.plan`, `plan_contingent`, `bracket`, `simulate`, `run_study` or one of their
-        kind returned.
+        What `covey.load_scenario`, `plan`, `plan_contingent`, `bracket`, `simulate`, `run_study` or
+        one of their kind returned. Of a scenario the start is drawn.
     ax
         Axes to draw on; a picture of several panels is drawn in their place. Default: a new figure.
     title
@@ -76,6 +79,6 @@ def draw(
         if isinstance(x, kind):
             return function(x, ax=ax, **options)
     raise InputError(
-        "x: expected a plan, a contingent plan, a bracket, a game or the results of a study, "
-        f"got {shown(x)}"
+        "x: expected a scenario, a plan, a contingent plan, a bracket, a game or the results of a "
+        f"study, got {shown(x)}"
     )

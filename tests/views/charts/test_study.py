@@ -7,6 +7,7 @@ import pytest
 
 import covey
 from covey.views import draw_ratios, draw_study
+from covey.views.kit.style import TEAM_MARKS
 
 
 def drawn(tmp_path, **fields):
@@ -38,7 +39,7 @@ def test_any_other_study_is_drawn_as_its_means(tmp_path):
         f"speed {speed}, disk radius {radius}" for speed in (0.2, 0.25) for radius in (0, 0.1)
     ]
     result = covey.load_study(tmp_path / "results")
-    (marks,) = [line for line in axes.lines if line.get_marker() == "o"]
+    (marks,) = [line for line in axes.lines if line.get_marker() in TEAM_MARKS]
     means = [result.moments.average(case).value for case in range(4)]
     assert marks.get_xdata() == pytest.approx(means)
 
@@ -48,11 +49,11 @@ def test_many_team_sizes_are_drawn_as_curves(tmp_path):
     fields = {"turn_rate": rates, "team_size": sizes, "evaders": "open-loop", "sensing": "hidden"}
     (axes,) = drawn(tmp_path, starts=2, update_time=1.0, **fields).axes
     assert [text.get_text() for text in axes.get_legend().get_texts()] == [
-        "turn rate pi/4",
-        "turn rate pi",
+        "turn rate π/4",
+        "turn rate π",
     ]
     result = covey.load_study(tmp_path / "results")
-    curve = next(each for each in axes.containers if each.get_label() == "turn rate pi")
+    curve = next(each for each in axes.containers if each.get_label() == "turn rate π")
     points = dict(zip(*curve.lines[0].get_data(), strict=True))
     cases = {case["team_size"]: k for k, case in enumerate(result.cases) if case["turn_rate"] > 1.0}
     assert points == {size: result.moments.average(k).value for size, k in cases.items()}

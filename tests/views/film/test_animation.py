@@ -167,10 +167,11 @@ def test_every_evader_carries_its_number_through_the_film():
         assert [text.get_text() for text in numbers] == ["0", "1", "2", "3"]
 
 
-def test_the_caption_fits_in_a_frame():
+@pytest.mark.parametrize("width", [3.5, 2.0])
+def test_the_caption_fits_in_a_frame(width):
     team = covey.Team([(900.0, 300.0), (-200.0, 1000.0)], 0.3, 20.0, turn_radii=60.0, unit="m")
     game = covey.simulate(team, covey.PursuerDisk(speed=45.0), update_time=20.0)
-    renderer = FrameRenderer(game, title="From 900 m")
+    renderer = FrameRenderer(game, title="From 900 m", width=width)
     renderer.frame(game.survival_time)
     caption = renderer.axes._left_title  # there is no public way to it
     page = renderer.axes.figure.bbox

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ import covey
 from covey.views import draw_snapshots
 from covey.views.games.snapshot import snapshot_at
 from covey.views.games.snapshots import times_around_first_capture
-from views.drawn_artists import bearing_of_marker, disks, labels, line, points
+from views.drawn_artists import bearing_of_marker, boxes, disks, labels, line, numbers_below, points
 from views.flown_games import FIRST_CAPTURE, SECOND_CAPTURE, game_by_hand, simulated, turning_evader
 
 
@@ -141,6 +142,31 @@ def test_outer_maps_name_their_axes_with_the_unit():
     assert [axes.get_ylabel() for axes in panels] == ["$y$ (km)", ""] * 2
     assert [axes.get_xlabel() for axes in panels] == ["", "", *["$x$ (km)"] * 2]
     assert all(axes.get_title(loc="left").endswith(" s") for axes in panels)
+
+
+@cache
+def uavs():
+    """The game of the tutorial, whose team is small beside it, in few rows."""
+    positions = [(900.0, 300.0), (-200.0, 1000.0), (-800.0, -500.0), (400.0, -900.0)]
+    disk = covey.PursuerDisk(radius=690.0, speed=45.0, capture_radius=5.0, unit="m")
+    headings = disk.headings_away(positions)
+    team = covey.Team(positions, headings, speeds=20.0, turn_radii=60.0, unit="m")
+    return covey.simulate(team, disk, update_time=5.0)
+
+
+def test_wide_numbers_below_neighbours_stand_apart_and_every_map_has_some():
+    figure = draw_snapshots(uavs())
+    figure.canvas.draw()
+    left, right = (numbers_below(axes) for axes in figure.axes[2:])
+    gap = min(box.x0 for box in right) - max(box.x1 for box in left)
+    assert gap / figure.dpi > 0.05
+
+
+def test_a_number_hides_no_other_mark():
+    for axes in draw_snapshots(uavs()).axes:
+        marks = [points(axes, name) for name in ("evaders", "disk center", "pursuer")]
+        places = axes.transData.transform(np.concatenate(marks))
+        assert [box.count_contains(places) for box in boxes(axes)] == [0] * 4
 
 
 def test_nothing_leaves_the_page():

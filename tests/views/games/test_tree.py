@@ -62,10 +62,8 @@ def test_names_and_numbers_do_not_touch_in_axes_of_any_size(width):
     titles = [axes._left_title.get_window_extent() for axes in maps]  # there is no public way
     numbers = []
     for axes in maps:
-        low, high = axes.get_xlim()
-        shown = [each for each in axes.get_xticklabels() if each.get_visible()]
-        inside = [each for each in shown if low <= each.get_position()[0] <= high]
-        numbers += [Bbox.union([each.get_window_extent() for each in inside])] if inside else []
+        below = drawn_artists.numbers_below(axes)
+        numbers += [Bbox.union(below)] if below else []
     for boxes in (titles, numbers):
         assert not any(one.overlaps(other) for one, other in combinations(boxes, 2))
 

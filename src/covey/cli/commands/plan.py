@@ -56,9 +56,7 @@ def plan(
     Try:
 
         covey plan fig3
-
         covey plan fig3 --contingent
-
         covey plan many.toml --time-limit 10
     """
     from covey.kernels.arrays import LARGEST_TABLE  # only now, as they load NumPy

@@ -21,6 +21,7 @@ def worst_case(
         list[float] | None,
         Parameter(
             consume_multiple=True,
+            negative="",
             help="Times that each capture may wait, as in --delays 0 0.1 0.3; by default none "
             "waits, and a capture comes as soon as the pursuer's disk reaches the evader.",
         ),

@@ -6,6 +6,7 @@ from typing import Any
 
 import covey
 from covey.cli.show.tables import (
+    aligned,
     angle,
     new_console,
     new_facts,
@@ -55,11 +56,12 @@ def _answers(tree: covey.ContingentPlan) -> Any:
     table = new_table(
         "captured", *(str(i) for i in tree.evaders), titled("then survives", tree.team.units.time)
     )
-    for i in tree.evaders:
-        after = tree.after(i)
+    branches = [tree.after(i) for i in tree.evaders]
+    times = aligned([each.survival_time for each in branches], 6)
+    for i, after, time in zip(tree.evaders, branches, times, strict=True):
         headings = dict(zip(after.evaders, after.goal_headings.tolist(), strict=True))
         cells = [angle(headings[j])[1] if j in headings else "-" for j in tree.evaders]
-        table.add_row(str(i), *cells, number(after.survival_time))
+        table.add_row(str(i), *cells, time)
     return table
 
 

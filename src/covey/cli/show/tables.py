@@ -77,7 +77,7 @@ def _outcome(game: covey.Game) -> list[tuple[str, str]]:
     if math.isinf(game.survival_time):
         survived = f"more than {number(float(game.times[-1]), time_unit)}: {game.status}"
     elif game.guarantee > 0.0 and guaranteed:
-        survived += f"  ({game.survival_time / game.guarantee:.3g} times the guarantee)"
+        survived += f"  ({game.survival_time / game.guarantee:.2f} times the guarantee)"
     return [
         ("pursuer", f"{game.sensing}, {_strategy(game, 'pursuer')}"),
         ("evaders", f"{len(game.team)}, {_strategy(game, 'evaders')}"),
@@ -134,7 +134,8 @@ def aligned(values: Sequence[float], digits: int) -> list[str]:
 
 def points(positions: Sequence[Sequence[float]]) -> list[str]:
     """Write points, x under x and y under y."""
-    columns = [aligned([position[axis] for position in positions], 4) for axis in (0, 1)]
+    texts = aligned([coordinate for position in positions for coordinate in position], 4)
+    columns = texts[::2], texts[1::2]
     widths = [max((len(text) for text in column), default=0) for column in columns]
     return [f"({x:>{widths[0]}}, {y:>{widths[1]}})" for x, y in zip(*columns, strict=True)]
 

@@ -43,7 +43,7 @@ class Study(Value):
         The unit of all lengths, "m" for example, as in `Team`: tables and pictures of the study
         name the units.
     team_size
-        Evaders, 1 to 20.
+        Evaders, 1 to 50.
     speed
         Of every evader. Default: the paper's.
     turn_rate, turn_radius

@@ -50,7 +50,9 @@ def draw_capture(
     title: str = "",
     width: float = style.COLUMN_WIDTH,
 ) -> Figure:
-    """Draw the minimum capture time of a path by a pursuer in a disk (eq. 7; Fig. 2 of the paper).
+    """Draw the minimum capture time of a path by a pursuer in a disk.
+
+    This is eq. 7 and Fig. 2 of the paper.
 
     The disk D(x_c, r) is shown at three times: at 0, at the end of the evader's turn, and when the
     disk reaches the evader. The last is the earliest capture, at t*.

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from itertools import product
-from string import ascii_lowercase
 from textwrap import fill
 from typing import NamedTuple
 
@@ -15,7 +14,8 @@ from matplotlib.ticker import MaxNLocator
 
 from covey.model import InputError
 from covey.views.kit import style
-from covey.views.kit.page import Page, Sheet, new_page, sheet_of
+from covey.views.kit.layout import lettered
+from covey.views.kit.page import Page, Sheet, fit, new_page, sheet_of
 from covey.views.kit.style import styled
 
 _STRIP = 0.27
@@ -96,13 +96,14 @@ def draw_comparison(
             axes.axvline(reference, **style.GUIDE)
         axes.set_xlim(limits)
         axes.tick_params(labelbottom=row == rows[-1])
-    for letter, row in zip(ascii_lowercase, rows, strict=False):
+    for name, row in zip(lettered(rows), rows, strict=True):
         first = panels[row, columns[0]]
         first.set_yticks(range(len(strips)), strips)
-        _name_row(first, f"({letter})  {row}", left)
+        _name_row(first, name, left)
     handles, names = panels[rows[0], columns[0]].get_legend_handles_labels()
     page.legend(handles, names, loc="upper right", ncols=len(sizes), borderaxespad=0.2)
-    page.text(0.5 * sheet.width, 0.04, label, ha="center", va="bottom", fontsize=style.TEXT_SIZE)
+    text = page.text(0.5 * sheet.width, 0.04, label, ha="center", va="bottom")
+    fit(text, sheet.width)
     return page.figure
 
 
@@ -128,7 +129,7 @@ def _name_row(axes: Axes, name: str, left: float) -> None:
     axes.annotate(
         name,
         (0.0, 1.0),
-        xytext=(-72.0 * left, 15.0),
+        xytext=(3.0 - 72.0 * left, 15.0),
         xycoords="axes fraction",
         textcoords="offset points",
     )
@@ -157,7 +158,7 @@ def _draw_panel(
             markersize=0.5 * style.EVADER_SIZE,
             linestyle="none",
             gid=f"teams of {size}",
-            **style.team_size_series(k, size),
+            **style.team_size_series(k, size, len(sizes)),
         )
     for boundary in range(len(strips) - 1):
         axes.axhline(boundary + 0.5, color=style.DISK, linewidth=0.5 * style.THIN_LINE)

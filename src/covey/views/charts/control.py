@@ -38,7 +38,9 @@ def draw_control(
     title: str | None = None,
     width: float = style.COLUMN_WIDTH,
 ) -> Figure:
-    """Draw a heading over time, and its path (eq. 5; Fig. 1 of the paper).
+    """Draw a heading over time, and its path.
+
+    This is eq. 5 and Fig. 1 of the paper.
 
     Parameters
     ----------

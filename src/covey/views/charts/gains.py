@@ -11,9 +11,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from covey.model import InputError
+from covey.model.display import multiple_of_pi
 from covey.views.kit import style
 from covey.views.kit.layout import panels_in_a_row, width_of_panels
-from covey.views.kit.page import sheet_of
+from covey.views.kit.page import fit, sheet_of
 from covey.views.kit.style import styled
 
 _SIDE = 2.0
@@ -113,12 +114,13 @@ def _draw_panel(axes: Axes, turn_rates: Sequence[float], curves: Mapping[int, Cu
             capsize=2.0,
             capthick=1.3 * style.THIN_LINE,
             gid=f"team of {size}",
-            **style.team_size_series(k, size),
+            **style.team_size_series(k, size, len(curves)),
         )
     axes.axhline(1.0, **style.GUIDE)
     axes.set_xticks(turn_rates, [_rate_text(rate) for rate in turn_rates])
     axes.set_xlim(left=0.0)
-    axes.set_xlabel(r"maximum turning rate $\omega$ (rad/s)", labelpad=2)
+    name = axes.set_xlabel(r"maximum turning rate $\omega$ (rad/s)", labelpad=2)
+    fit(name, axes.get_window_extent().width / axes.figure.dpi)
     axes.spines[["top", "right"]].set_visible(False)
 
 
@@ -127,7 +129,8 @@ def _draw_broken_lines(
 ) -> None:
     """Draw curves in the colours that their team sizes have in the panel."""
     for size, curve in curves.items():
-        series = style.team_size_series(sizes.index(size), size) | {"label": "_no entry"}
+        series = style.team_size_series(sizes.index(size), size, len(sizes))
+        series["label"] = "_no entry"
         axes.errorbar(
             turn_rates,
             curve.ratios,
@@ -148,10 +151,10 @@ def _draw_broken_lines(
 
 def _rate_text(rate: float) -> str:
     """Write simple multiples of π, and angles that were given in degrees, as such."""
-    for divisor in (1, 2, 3, 4, 6, 8):
-        times = rate * divisor / math.pi
-        if abs(times - round(times)) < 1e-9 and 0 < round(times) < 10:
-            factor = "" if round(times) == 1 else str(round(times))
-            return rf"${factor}\pi$" if divisor == 1 else rf"${factor}\pi/{divisor}$"
+    found = multiple_of_pi(rate)
+    if found is not None:
+        factor, divisor = found
+        times = r"\pi" if factor == 1 else rf"{factor}\pi"
+        return f"${times}$" if divisor == 1 else f"${times}/{divisor}$"
     degrees = round(math.degrees(rate), 6)
     return f"{degrees:g}°" if math.radians(degrees) == rate else f"{rate:.3g}"

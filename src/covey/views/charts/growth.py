@@ -50,9 +50,8 @@ def draw_growth(
     sheet = sheet_of(ax, title, width)
     page = new_page(sheet, _BOTTOM + _SIDE + _ABOVE)
     axes = page.panel(_LEFT, _BOTTOM, sheet.width - _LEFT - _RIGHT, _SIDE)
-    step = max((len(style.TEAM_SHADES) - 1) // max(len(curves) - 1, 1), 1)  # far apart
     for k, (name, estimates) in enumerate(curves.items()):
-        shown = style.team_size_series(step * k, 0) | {"label": name}
+        shown = style.team_size_series(k, 0, len(curves)) | {"label": name}
         axes.errorbar(
             sizes,
             [each.value for each in estimates],
@@ -64,7 +63,7 @@ def draw_growth(
         )
     axes.set_xlim(left=0.0)
     axes.set_ylim(bottom=0.0)
-    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.xaxis.set_major_locator(MaxNLocator("auto", steps=[1, 2, 5, 10], integer=True))
     axes.set_xlabel("evaders $N$", labelpad=2)
     axes.set_ylabel(label)
     axes.spines[["top", "right"]].set_visible(False)

@@ -15,7 +15,7 @@ from covey.model import InputError
 from covey.model.units import counted
 from covey.model.validation import Floats, Ints
 from covey.views.kit import style
-from covey.views.kit.page import new_page, sheet_of
+from covey.views.kit.page import fit, new_page, sheet_of
 from covey.views.kit.style import styled
 
 _BIN = 0.01
@@ -90,7 +90,8 @@ def draw_ratios(
         )
         if row < count - 1:
             axes.tick_params(labelbottom=False)
-    axes.set_xlabel("survival time, hidden / visible", labelpad=2)
+    name = axes.set_xlabel("survival time, hidden / visible", labelpad=2)
+    fit(name, page.width - left - 0.08)
     return page.figure
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -142,10 +143,15 @@ def _means(result: StudyResult) -> Iterator[Ratio]:
         yield Ratio(row, "", strip or "all games", case["team_size"], *line.survival)
 
 
+def _as_printed(text: str) -> str:
+    """Write π and ∞ as a person does, who types pi and inf."""
+    return re.sub(r"\bpi\b", "π", re.sub(r"\binf\b", "∞", text))
+
+
 def _settings_text(result: StudyResult, line: CaseSummary, left_out: set[str]) -> str:
     """Return the settings in which a case differs from others, as a person reads them."""
     texts = {
-        name: with_unit(result.text_of(name, value), result.unit_of(name))
+        name: with_unit(_as_printed(result.text_of(name, value)), result.unit_of(name))
         for name, value in line.settings.items()
         if name not in left_out
     }

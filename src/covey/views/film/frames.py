@@ -13,7 +13,7 @@ from covey.views.games.scene import draw_legend, draw_numbers, draw_scene, exten
 from covey.views.games.snapshot import Snapshot, end_of, snapshot_at, trajectories
 from covey.views.kit.close_up import fitting_scale
 from covey.views.kit.layout import camera_around, margins, name_axes, set_view
-from covey.views.kit.page import new_page, sheet_of
+from covey.views.kit.page import fit, new_page, sheet_of
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
 
@@ -46,18 +46,21 @@ class FrameRenderer:
         self._write = time_format(end_of(game), game.team.units.time)
         plans = [snapshot_at(game, time) for time in np.linspace(0.0, end_of(game), _PLANS)]
         camera = camera_around(extent(plans, self._flown))
-        bottom, caption, letter = 0.88, 0.24, 0.18
+        bottom, above, letter = 0.88, 0.24, 0.18
         numbers, right = margins(camera)
         left = letter + numbers
         side = width - left - right
-        page = new_page(sheet_of(None, title, width), bottom + side + caption)
+        page = new_page(sheet_of(None, title, width), bottom + side + above)
         figure = page.figure
         figure.set_dpi(_DOTS_PER_INCH)
         self.axes = page.panel(left, bottom, side, side)
         set_view(self.axes, camera)
         name_axes(self.axes, game.team.unit)
         draw_legend(page)
-        self._title = self.axes.set_title("", loc="left", pad=4, x=(_EDGE - left) / side)
+        caption = self._caption(plans[-1])  # of the most digits
+        self._title = self.axes.set_title(caption, loc="left", pad=4, x=(_EDGE - left) / side)
+        fit(self._title, width - 2.0 * _EDGE)
+        self._title.set_text("")  # each frame has its own
         self._canvas = cast(Any, FigureCanvasAgg(figure))  # its methods have no types
         self._canvas.draw()
         self._background = self._canvas.copy_from_bbox(figure.bbox)

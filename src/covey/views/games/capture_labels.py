@@ -10,7 +10,11 @@ from matplotlib.axes import Axes
 
 from covey.model import Team
 from covey.model.validation import Floats, Ints
+from covey.views.kit import style
 from covey.views.kit.point_labels import NUMBER, label, number_evaders
+
+_WIDE = 2.0
+"""Inches: on a narrower map the labels are smaller."""
 
 
 class Captures(NamedTuple):
@@ -44,10 +48,12 @@ def label_captures(
         for i, time in zip(evaders.tolist(), times.tolist(), strict=True)
     ]
     numbers = [str(i) for i in range(len(team))]
+    width = axes.get_window_extent().width / axes.figure.dpi
+    size = style.SMALL_TEXT_SIZE * min(1.0, width / _WIDE)
     if inset:
         number_evaders(inset, team.positions, range(len(team)), lines)
-        label(axes, points, texts, lines, clear_of=[inset])
+        label(axes, points, texts, lines, size, clear_of=[inset])
     else:
         looks = [NUMBER] * len(numbers) + [{}] * len(texts)
         places = np.concatenate([team.positions, points])
-        label(axes, places, [*numbers, *texts], lines, looks=looks)
+        label(axes, places, [*numbers, *texts], lines, size, looks=looks)

@@ -30,7 +30,7 @@ from covey.views.kit.markers import (
     pursuer_flying,
 )
 from covey.views.kit.page import sheet_of
-from covey.views.kit.sampling import joined, rim
+from covey.views.kit.sampling import joined, marked, rim
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
 
@@ -79,7 +79,8 @@ def draw_game(
     for each in (axes, inset) if inset else (axes,):
         _draw_course(each, game, flown)
     captures = Captures(points, game.capture_sequence, game.capture_times)
-    label_captures(axes, inset, game.team, captures, write, joined([*tracks, disk]))
+    drawn = joined([*tracks, disk, marked(flown.pursuer[0])])
+    label_captures(axes, inset, game.team, captures, write, drawn)
     return figure
 
 

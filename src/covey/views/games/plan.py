@@ -24,7 +24,7 @@ from covey.views.kit.markers import (
     draw_disk,
 )
 from covey.views.kit.page import sheet_of
-from covey.views.kit.sampling import joined, rim, sampled
+from covey.views.kit.sampling import joined, marked, rim, sampled
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
 
@@ -75,7 +75,7 @@ def draw_plan(
     for each in (axes, inset) if inset else (axes,):
         _draw_paths(each, plan, expected)
     captures = Captures(expected.points, expected.evaders, expected.times)
-    label_captures(axes, inset, team, captures, write, joined([lines, start]))
+    label_captures(axes, inset, team, captures, write, joined([lines, start, marked(disk.center)]))
     return figure
 
 

@@ -31,9 +31,9 @@ from covey.views.kit.markers import (
 )
 from covey.views.kit.page import Page
 from covey.views.kit.point_labels import NUMBER
-from covey.views.kit.sampling import joined, sampled
+from covey.views.kit.sampling import joined, marked, sampled
 
-_BESIDE = 7.0
+_BESIDE = 8.5
 """From an evader to its number, typographic points."""
 
 
@@ -79,10 +79,12 @@ def draw_numbers(axes: Axes, snapshot: Snapshot) -> list[Annotation]:
     ]
 
 
-def drawn_lines(snapshot: Snapshot, flown: Trajectories) -> Floats:
-    """Points (K, 2) along all lines of a scene, for labels to keep clear of."""
+def obstacles(snapshot: Snapshot, flown: Trajectories) -> Floats:
+    """Points (K, 2) of all lines and markers of a scene, for labels to keep clear of."""
     past, future = until(flown, snapshot), predicted(snapshot)
-    return joined([past.evaders, past.pursuer, *future.paths, sampled(future.pursuer)])
+    lines = [past.evaders, past.pursuer, *future.paths, sampled(future.pursuer)]
+    markers = [snapshot.disk.center, snapshot.pursuer, future.points]
+    return joined([*lines, marked(joined(markers))])
 
 
 def extent(snapshots: list[Snapshot], flown: Trajectories) -> Floats:

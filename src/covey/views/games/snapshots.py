@@ -11,10 +11,10 @@ from matplotlib.figure import Figure
 from covey.model import InputError
 from covey.model.validation import Floats, frozen_array
 from covey.simulation import Game
-from covey.views.games.scene import draw_legend, draw_scene, drawn_lines, extent
+from covey.views.games.scene import draw_legend, draw_scene, extent, obstacles
 from covey.views.games.snapshot import end_of, snapshot_at, trajectories
 from covey.views.kit.close_up import fitting_scale
-from covey.views.kit.layout import camera_around, maps_in_rows
+from covey.views.kit.layout import camera_around, lettered, maps_in_rows
 from covey.views.kit.page import sheet_of
 from covey.views.kit.point_labels import number_evaders
 from covey.views.kit.style import COLUMN_WIDTH, styled
@@ -35,7 +35,9 @@ def draw_snapshots(
     title: str | None = None,
     width: float = COLUMN_WIDTH,
 ) -> Figure:
-    """Draw snapshots of a game, all through the same camera, two in a row (Fig. 3 of the paper).
+    """Draw snapshots of a game, all through the same camera, two in a row.
+
+    The paper's Fig. 3 is such a picture.
 
     Parameters
     ----------
@@ -72,17 +74,14 @@ def draw_snapshots(
     flown = trajectories(game)
     camera = camera_around(extent(snapshots, flown))
     write = time_format(end_of(game), game.team.units.time)
-    names = [
-        f"({chr(ord('a') + k)})  $t$ = {write(snapshot.time)}"
-        for k, snapshot in enumerate(snapshots)
-    ]
+    names = lettered([f"$t$ = {write(snapshot.time)}" for snapshot in snapshots])
     sheet = sheet_of(ax, title, width)
     page, maps = maps_in_rows(names, 2, camera, game.team.unit, _FOOT, sheet)
     for axes, snapshot in zip(maps, snapshots, strict=True):
         positions = snapshot.team.positions
         scale = _SCALE * fitting_scale(axes, positions[snapshot.alive])
         draw_scene(axes, snapshot, flown, scale)
-        number_evaders(axes, positions, range(len(positions)), drawn_lines(snapshot, flown))
+        number_evaders(axes, positions, range(len(positions)), obstacles(snapshot, flown))
     draw_legend(page)
     return page.figure
 

@@ -28,7 +28,7 @@ from covey.views.kit.markers import (
 )
 from covey.views.kit.page import Page, sheet_of
 from covey.views.kit.point_labels import number_evaders
-from covey.views.kit.sampling import joined, sampled
+from covey.views.kit.sampling import joined, marked, sampled
 from covey.views.kit.style import COLUMN_WIDTH, styled
 from covey.views.kit.time_format import time_format
 
@@ -115,7 +115,8 @@ def _draw_plan(axes: Axes, tree: ContingentPlan, branch: Branch, flown: list[Flo
     draw(axes, PREDICTED, branch.captures, scale=_SCALE)
     draw(axes, EVADERS, team.positions, scale=scale)
     lines = joined([*branch.paths.values(), sampled(pursuer), *flown])
-    number_evaders(axes, team.positions, tree.evaders, lines)
+    markers = joined([branch.captures, disk.center])
+    number_evaders(axes, team.positions, tree.evaders, joined([lines, marked(markers)]))
 
 
 def _flown(tree: ContingentPlan, i: int) -> dict[int, Floats]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import combinations
-from string import ascii_lowercase
 from typing import Any, NamedTuple, cast
 
 import numpy as np
@@ -15,7 +14,7 @@ from matplotlib.ticker import MaxNLocator, NullLocator
 
 from covey.model.units import titled
 from covey.model.validation import Floats
-from covey.views.kit.page import TITLE, Page, Sheet, add_axes, new_figure, new_page
+from covey.views.kit.page import TITLE, Page, Sheet, add_axes, fit, new_figure, new_page
 from covey.views.kit.style import COLUMN_WIDTH, TEXT_SIZE
 
 _LEAST_SIDE = 0.5
@@ -24,6 +23,8 @@ _SMALL_SIDE = 0.8
 """Of a map with few numbers at its axes, inches."""
 _LETTER = 0.2
 """Height of the name of an axis, inches."""
+_APART = 0.03
+"""Half of the least distance between two numbers at an axis, inches."""
 
 
 class Camera(NamedTuple):
@@ -47,17 +48,24 @@ def width_of_panels(count: int) -> float:
     return COLUMN_WIDTH * count
 
 
+def lettered(names: Sequence[str]) -> list[str]:
+    """Put (a), (b), ... before the names of several panels. A single panel needs no letter."""
+    if len(names) == 1:
+        return [*names]
+    return [f"({chr(ord('a') + k)})  {name}" for k, name in enumerate(names)]
+
+
 def panels_in_a_row(
     names: Sequence[str], side: float, headroom: float, sheet: Sheet
 ) -> tuple[Page, list[Axes]]:
-    """Panels of height `side` with lettered names; the first has the tick labels of y; inches."""
+    """Panels of height `side` with their names; the first has the tick labels of y; inches."""
     left, bottom, gap, right = 0.5, 0.4, 0.18, 0.1
     across = (sheet.width - left - right + gap) / len(names) - gap
     page = new_page(sheet, bottom + side + headroom)
     panels = []
-    for k, name in enumerate(names):
+    for k, name in enumerate(lettered(names)):
         axes = page.panel(left + k * (across + gap), bottom, across, side)
-        axes.set_title(f"({ascii_lowercase[k]})  {name}", loc="left", pad=3)
+        fit(axes.set_title(name, loc="left", pad=3), across)
         axes.tick_params(labelleft=k == 0)
         panels.append(axes)
     return page, panels
@@ -133,6 +141,11 @@ def maps_in_rows(
         name_axes(axes, unit, below=lowest, beside=across == 0)
         axes.set_title(name, loc="left", pad=3, fontsize=TEXT_SIZE * min(1.0, side / widest))
         maps.append(axes)
+    if _touch(maps):  # the first number of a map touches the last one of its neighbour
+        for k, axes in enumerate(maps):
+            if k % columns > 0:
+                for number in _numbers_below(axes)[:1]:
+                    number.set_visible(False)
     if _touch(maps):
         for k, axes in enumerate(maps):
             axes.tick_params(labelbottom=k % columns == 0 and k + columns >= len(names))
@@ -148,7 +161,11 @@ def _width_of_titles(names: Sequence[str]) -> float:
 
 def _touch(maps: Sequence[Axes]) -> bool:
     """Whether numbers below some maps touch each other: those of neighbours are as high."""
-    boxes = [number.get_window_extent() for axes in maps for number in _numbers_below(axes)]
+    boxes = [
+        number.get_window_extent().padded(_APART * axes.figure.dpi)
+        for axes in maps
+        for number in _numbers_below(axes)
+    ]
     return any(one.overlaps(other) for one, other in combinations(boxes, 2))
 
 
@@ -171,7 +188,8 @@ def single_map(
     set_view(axes, camera, ticks=ticks)
     name_axes(axes, unit)
     if title:
-        axes.set_title(title, loc="left", pad=4)
+        room = width if ax is not None else width * (1.0 - axes.get_position().x0)
+        fit(axes.set_title(title, loc="left", pad=4), room)
     return figure, axes
 
 

@@ -47,6 +47,11 @@ FLOWN = Marker(
     style.FLOWN_LAYER,
     {"color": style.EVADER, "linewidth": style.EVADER_LINE, "solid_capstyle": "round"},
 )
+HEADINGS = Marker(
+    "headings",
+    style.FLOWN_LAYER,
+    {"color": style.EVADER, "linewidth": 1.0},
+)
 PLANNED = Marker(
     "planned by evaders",
     style.PLANNED_LAYER,

@@ -6,15 +6,19 @@ import math
 from io import BytesIO
 from typing import Any, NamedTuple, cast
 
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 from covey.model.validation import number
 from covey.views.kit.style import COLUMN_WIDTH, SMALL_TEXT_SIZE
 
 TITLE = 0.22
 """Headroom for a title."""
+_CLEAR = 0.04
+"""From a title to the edge of its place."""
 
 _NOTEBOOK_DPI = 150
 
@@ -66,13 +70,12 @@ class Page(NamedTuple):
         properties = {"fontsize": size} | properties
         (self.axes or self.figure).legend(*args, **properties)
 
-    def text(self, left: float, bottom: float, text: str, **properties: Any) -> None:
+    def text(self, left: float, bottom: float, text: str, **properties: Any) -> Text:
         """Write a text at an exact position."""
         place = left / self.width, bottom / self.height
         if self.axes is None:
-            self.figure.text(*place, text, **properties)
-        else:
-            self.axes.text(*place, text, transform=self.axes.transAxes, **properties)
+            return self.figure.text(*place, text, **properties)
+        return self.axes.text(*place, text, transform=self.axes.transAxes, **properties)
 
 
 def new_page(sheet: Sheet, height: float) -> Page:
@@ -85,8 +88,17 @@ def new_page(sheet: Sheet, height: float) -> Page:
         ax.set_axis_off()
         page = Page(cast(Figure, ax.figure), ax, width, whole)
     if title:
-        page.text(0.5 * width, 0.5 * (height + whole), title, ha="center", va="center")
+        text = page.text(0.5 * width, 0.5 * (height + whole), title, ha="center", va="center")
+        fit(text, width)
     return page
+
+
+def fit(text: Text, width: float) -> None:
+    """Write a title smaller if it leaves its place: so wide, and as high as the headroom."""
+    place = np.array([width - _CLEAR, TITLE - _CLEAR]) * cast(Figure, text.figure).dpi
+    # Letters are hinted, so that the width isn't quite in proportion to the size.
+    while (share := float(np.min(place / text.get_window_extent().size))) < 1.0:
+        text.set_fontsize(0.99 * share * float(text.get_fontsize()))
 
 
 def new_figure(width: float, height: float) -> Figure:

@@ -13,6 +13,7 @@ from matplotlib.transforms import Bbox
 
 from covey.model.validation import Floats
 from covey.views.kit import style
+from covey.views.kit.sampling import marked
 
 _DISTANCES = (5.0, 8.0, 12.0, 17.0, 24.0, 33.0)
 """From the mark to the label's edge, typographic points."""
@@ -52,7 +53,7 @@ def label(
     final position and limits. `looks` are properties of each text; `clear_of` are other axes that
     lie on these.
     """
-    drawn = axes.transData.transform(np.concatenate([lines, points]))
+    drawn = axes.transData.transform(np.concatenate([lines, marked(points)]))
     taken: list[Bbox] = [each.get_window_extent() for each in clear_of]
     labels = []
     for point, text, look in zip(points, texts, looks or [{}] * len(texts), strict=True):
@@ -108,8 +109,8 @@ def _best_position(
     best = (math.inf, 0.0, (0.0, 0.0), extent)
     for distance in _DISTANCES:
         for angle in _DIRECTIONS:
-            across = math.cos(angle) * (distance + half_width)
-            up = math.sin(angle) * (distance + half_height)
+            across = _offset(distance, half_width, math.cos(angle))
+            up = _offset(distance, half_height, math.sin(angle))
             box = Bbox.from_bounds(
                 x + pixels * (across - half_width),
                 y + pixels * (up - half_height),
@@ -120,6 +121,14 @@ def _best_position(
             if cost < best[0]:
                 best = (cost, distance, (across, up), box)
     return best[1:]
+
+
+def _offset(distance: float, half_size: float, share: float) -> float:
+    """Along an axis, from a point to the middle of a box whose edge is `distance` away.
+
+    `share` is the cosine or the sine of the direction. On a diagonal the corner of the box is next.
+    """
+    return distance * share + half_size * max(-1.0, min(1.0, math.sqrt(2.0) * share))
 
 
 def _cost(box: Bbox, drawn: Floats, taken: list[Bbox], page: Bbox) -> float:

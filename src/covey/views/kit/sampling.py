@@ -12,6 +12,8 @@ from covey.model.validation import Floats
 
 _SAMPLES = 40
 """Points along a straight piece: closer together than the letters of a label are high."""
+_WEIGHT = 10
+"""Points of a line that a label hides rather than a marker."""
 
 
 def joined(paths: Iterable[Floats]) -> Floats:
@@ -22,6 +24,11 @@ def joined(paths: Iterable[Floats]) -> Floats:
 def rim(center: Floats, radius: float) -> Floats:
     """Points (K, 2) along the rim of a disk."""
     return center + radius * unit_vectors(np.linspace(0.0, math.tau, _SAMPLES))
+
+
+def marked(points: Floats) -> Floats:
+    """Points (K, 2) of markers, each several times, so that labels hide lines rather than them."""
+    return np.repeat(np.reshape(points, (-1, 2)), _WEIGHT, axis=0)
 
 
 def sampled(corners: Floats) -> Floats:

@@ -86,11 +86,17 @@ RC: dict[str, Any] = {
 }
 
 
-def team_size_series(k: int, size: int) -> dict[str, Any]:
-    """Return how the k-th of several team sizes is drawn, for `Axes.errorbar`."""
+def team_size_series(k: int, size: int, count: int) -> dict[str, Any]:
+    """Return how the k-th of `count` team sizes is drawn, for `Axes.errorbar`.
+
+    The last one is the darkest. Few of them have shades that are far apart.
+    """
+    darkest = len(TEAM_SHADES) - 1
+    apart = max(darkest // max(count - 1, 1), 1)
+    shade = (darkest - apart * (count - 1 - k)) % len(TEAM_SHADES)
     return {
-        "color": TEAM_SHADES[k % len(TEAM_SHADES)],
-        "marker": TEAM_MARKS[k % len(TEAM_MARKS)],
+        "color": TEAM_SHADES[shade],
+        "marker": TEAM_MARKS[shade],
         "markeredgewidth": 0.0,
         "elinewidth": 1.3 * THIN_LINE,
         "label": f"$N = {size}$",
