@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor, wait
+from collections.abc import Callable
 from typing import TypeVar
 
 import numpy as np
 
-from covey.kernels.arrays import ABANDON, FEWEST_WALKING, FINISH, GO_ON, Workspace
+from covey.kernels.arrays import FEWEST_WALKING, GO_ON, Workspace
 from covey.kernels.maximum.objective import Objective
 from covey.model.validation import Ints
+from covey.planning.threads import Threads
 from covey.planning.workspace import workspace
 
 Result = TypeVar("Result")
@@ -26,8 +26,6 @@ LONG = 1e7
 
 _SUM = 10.0
 """Interceptions of a minimum of sums over those of a minimum of the last capture, about."""
-
-_PATIENCE = 0.1  # seconds: on Windows a wait without a limit serves no signal
 
 
 def interceptions_of(objective: Objective, n: int) -> float:
@@ -62,51 +60,18 @@ def interruptible(
     interceptions
         How many the call computes, about. A long call runs in another thread.
     deadline
-        As for `run_all`.
+        As for `Threads.run`.
     """
     if deadline == math.inf and interceptions <= LONG:
         return call(workspace(size, total))
     stop = new_flag()
-    with ThreadPoolExecutor(1) as executor:
-        return run_all(executor, [lambda: call(workspace(size, total, stop))], stop, deadline)[0]
+    with Threads(1) as threads:
+        return threads.run([lambda: call(workspace(size, total, stop))], stop, deadline)[0]
 
 
 def new_flag() -> Ints:
     """Return the flag of a call, (1,), see `Workspace.stop`."""
     return np.full(1, GO_ON)
-
-
-def run_all(
-    executor: ThreadPoolExecutor,
-    calls: Sequence[Callable[[], Result]],
-    stop: Ints,
-    deadline: float = math.inf,
-) -> list[Result]:
-    """Run all calls and return their results.
-
-    Parameters
-    ----------
-    executor
-        Whose threads run the calls.
-    calls
-        Each uses a workspace with this `stop`.
-    stop
-        (1,) set to `FINISH` at the deadline, to `ABANDON` when an exception ends the wait.
-    deadline
-        By `time.perf_counter`; inf: none.
-    """
-    futures = [executor.submit(call) for call in calls]
-    try:
-        left = deadline - time.perf_counter()
-        while wait(futures, timeout=max(min(_PATIENCE, left), 0.0)).not_done:
-            left = deadline - time.perf_counter()
-            if left <= 0.0:
-                stop[0], left = FINISH, math.inf
-    except BaseException:
-        stop[0] = ABANDON
-        executor.shutdown(cancel_futures=True)
-        raise
-    return [future.result() for future in futures]
 
 
 def deadline_after(time_limit: float | None) -> float:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import os
 import time
-from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import NamedTuple
 
@@ -29,7 +28,8 @@ from covey.kernels.maximum.problem import (
 )
 from covey.kernels.maximum.working_set import new_working_set
 from covey.model.validation import Floats, Ints
-from covey.planning.long_calls import LONG, interceptions_of, interruptible, new_flag, run_all
+from covey.planning.long_calls import LONG, interceptions_of, interruptible, new_flag
+from covey.planning.threads import Threads
 from covey.planning.workspace import workspace
 
 MAX_STEPS = 200
@@ -136,10 +136,10 @@ class Search:
             needless = stop[0] != GO_ON and (guess > 0 or best.starts > 0)
             return NONE if needless else self._ascend(guess, 1, stop)
 
-        with ThreadPoolExecutor(min(BATCH, os.cpu_count() or 1)) as executor:
+        with Threads(min(BATCH, os.cpu_count() or 1)) as threads:
             for first in range(0, count, BATCH):
                 batch = [partial(ascend, k) for k in range(first, min(first + BATCH, count))]
-                for ascents in run_all(executor, batch, stop, self._deadline):
+                for ascents in threads.run(batch, stop, self._deadline):
                     self._insert(ascents)
                     best = best.joined(ascents)
                 if stop[0] != GO_ON:

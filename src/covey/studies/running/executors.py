@@ -7,12 +7,16 @@ from collections.abc import Callable, Iterator
 from concurrent import futures
 from concurrent.futures import BrokenExecutor, Future
 from contextlib import contextmanager
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeVar
 
 from covey.kernels.library.load import load_library
 from covey.model import InputError
-from covey.model.validation import whole_number
+from covey.model.validation import Ints, whole_number
+from covey.planning.long_calls import new_flag
+from covey.planning.threads import Threads
 from covey.studies.running.worker import depend_on_parent
+
+Result = TypeVar("Result")
 
 _IDLE_SECONDS = 120
 """After so long without work a process of the pool ends. A study that is run before that finds
@@ -25,6 +29,16 @@ class Executor:
     """Runs functions on workers."""
 
     _pool: futures.Executor
+
+    def supervise(self, work: Callable[[Ints], Result]) -> Result:
+        """Return the result of work that submits calls, and that ends early when its flag is set.
+
+        Another thread does the work. A pool takes locks in the thread that submits its calls, and
+        an interrupt in this thread could leave a lock taken, see `planning.threads`.
+        """
+        stop = new_flag()
+        with Threads(1) as threads:
+            return threads.run([lambda: work(stop)], stop)[0]
 
     @property
     def size(self) -> int:
@@ -50,6 +64,10 @@ class Executor:
 
 class InProcess(Executor):
     """Calls each function in this process, before `submit` returns."""
+
+    def supervise(self, work: Callable[[Ints], Result]) -> Result:
+        """Do the work in this thread, where an interrupt ends a call at once."""
+        return work(new_flag())
 
     def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
         """Call the function."""

@@ -124,7 +124,9 @@ def _play_missing(
     with open_executor(workers, dask) as executor:
         begin = {"event": "run", "workers": executor.size, "parts": len(missing)}
         result_files.append_to_log(folder, begin)
-        failures = Scheduler(study, executor, save).run(missing)
+        failures = executor.supervise(
+            lambda stop: Scheduler(study, executor, save, stop).run(missing)
+        )
     for failure in failures:
         entry = {"event": "failure", **failure._asdict(), "chunk": failure.chunk.number}
         result_files.append_to_log(folder, entry)

@@ -8,10 +8,12 @@ chunk. A chunk that has failed twice is left out and reported.
 from __future__ import annotations
 
 from collections import Counter, deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
 from typing import Any, NamedTuple
 
+from covey.kernels.arrays import GO_ON
+from covey.model.validation import Ints
 from covey.studies.design.study import Study
 from covey.studies.running.chunks import Chunk
 from covey.studies.running.executors import Executor
@@ -22,6 +24,8 @@ from covey.studies.running.worker import ChunkResult, OtherCodeError, play_chunk
 _MAX_TRIES = 2
 _QUEUED = 2
 """Chunks submitted for each worker, so that none waits for its next chunk."""
+_PATIENCE = 0.1
+"""Seconds after which the flag is read again."""
 
 
 class Failure(NamedTuple):
@@ -41,12 +45,26 @@ class Failure(NamedTuple):
 
 
 class Scheduler:
-    """Runs the chunks of a study once; `save` gets each result as soon as its chunk is done."""
+    """Runs the chunks of a study once.
+
+    Parameters
+    ----------
+    study, executor
+        What is played, and where.
+    save
+        Gets each result as soon as its chunk is done.
+    stop
+        (1,) flag that another thread sets to end the run, by KeyboardInterrupt.
+    """
 
     def __init__(
-        self, study: Study, executor: Executor, save: Callable[[Chunk, ChunkResult], None]
+        self,
+        study: Study,
+        executor: Executor,
+        save: Callable[[Chunk, ChunkResult], None],
+        stop: Ints,
     ) -> None:
-        self._study, self._executor, self._save = study, executor, save
+        self._study, self._executor, self._save, self._stop = study, executor, save, stop
         self._waiting: deque[Chunk] = deque()
         self._quarantined: deque[Chunk] = deque()
         self._running: dict[Future[Any], Chunk] = {}
@@ -58,11 +76,18 @@ class Scheduler:
         self._waiting.extend(chunks)
         while self._waiting or self._quarantined or self._running:
             self._submit_next()
-            done, _ = wait(self._running, return_when=FIRST_COMPLETED)
+            done = self._ended(self._running)
             alone = len(self._running) == 1
             for future in done:
                 self._collect(self._running.pop(future), future, alone)
         return self._failures
+
+    def _ended(self, futures: Collection[Future[Any]]) -> set[Future[Any]]:
+        """Wait for the next futures that are done."""
+        while self._stop[0] == GO_ON:
+            if done := wait(futures, _PATIENCE, FIRST_COMPLETED).done:
+                return done
+        raise KeyboardInterrupt
 
     def _submit_next(self) -> None:
         """Submit one quarantined chunk if no other runs, or else as many as keep workers busy."""
@@ -111,7 +136,7 @@ class Scheduler:
         """Play the starts of a chunk one at a time, until one of them kills its worker."""
         self._executor.restart()
         for start in range(chunk.first, chunk.last):
-            future = self._submit(Chunk(chunk.number, start, start + 1))
+            (future,) = self._ended([self._submit(Chunk(chunk.number, start, start + 1))])
             if isinstance(future.exception(), BrokenExecutor):
                 return start
         return chunk.first
