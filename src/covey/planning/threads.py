@@ -43,7 +43,7 @@ class _Task(NamedTuple):
         self.ended.put(None)
 
 
-_Tasks = SimpleQueue[_Task | None]  # None ends a thread
+_Tasks = SimpleQueue[_Task | None]  # None ends the threads
 
 
 class Threads:
@@ -71,8 +71,7 @@ class Threads:
 
     def __exit__(self, *exception: object) -> None:
         """Let the threads end, each after the call that it makes."""
-        for _ in range(self._count):
-            self._tasks.put(None)
+        self._tasks.put(None)
 
     def run(
         self,
@@ -115,6 +114,7 @@ class Threads:
 def _work(tasks: _Tasks) -> None:
     while (task := tasks.get()) is not None:
         task.run()
+    tasks.put(None)  # for the next thread
 
 
 def _await(ended: SimpleQueue[None], seconds: float) -> None:
