@@ -4,13 +4,24 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 
 import numpy as np
 import pytest
 
 import covey
+from covey.kernels.contingent.scratch import new_branches
+from covey.kernels.contingent.tree import tree_sizes
+from covey.planning import long_calls
+from covey.planning.border import about_center, pursuit_of
+from covey.planning.contingent import search
+from covey.planning.contingent.moment import Moment
 from covey.planning.long_calls import LONG, interruptible, new_flag
 from covey.planning.workspace import workspace
+from covey.players.pursuers import commitment
+from covey.players.teams import open_loop
+from covey.simulation import match
+from covey.simulation.settings import Settings
 from random_games import random_game
 
 DAYS = {
@@ -99,3 +110,44 @@ def test_a_call_has_the_flag_of_its_workspace_alone():
     assert seen[0] is workspace(3).stop
     assert seen[1] is not seen[0]
     assert list(seen[1]) == list(new_flag())
+
+
+@pytest.fixture
+def threads_of(monkeypatch):
+    """Return a function that lets a kernel, as a module calls it, note in which thread it runs.
+
+    A call is long from a millisecond on.
+    """
+    monkeypatch.setattr(long_calls, "LONG", 1e5)
+
+    def watch(module, kernel):
+        seen, call = [], getattr(module, kernel)
+
+        def noted(*arguments):
+            seen.append(threading.get_ident())
+            return call(*arguments)
+
+        monkeypatch.setattr(module, kernel, noted)
+        return seen
+
+    return watch
+
+
+def test_an_ascent_on_a_large_tree_runs_in_another_thread(threads_of):
+    seen = threads_of(search, "ascend_tree")
+    for n in (3, 5):
+        team, disk = about_center(*random_game(np.random.default_rng(n), n))
+        moment = Moment(team.as_rows(), pursuit_of(disk))
+        search.ascend(moment, 2, np.zeros(tree_sizes(n, 2)[0]), new_branches(n))
+    assert seen[0] == threading.get_ident() != seen[1]
+
+
+def test_a_game_of_a_large_team_in_python_computes_in_other_threads(threads_of):
+    kernels = (open_loop, "replan"), (commitment, "commit"), (match, "write_row")
+    seen = [threads_of(module, kernel) for module, kernel in kernels]
+    team, disk = random_game(np.random.default_rng(1), 14)
+    settings = Settings("hidden", 0.05, 1, 12.0)
+    evaders = covey.IterativeOpenLoop(starts=1, restarts=0)
+    match.Match(team, disk, evaders, covey.CommittedPursuer(), settings).step()
+    assert all(seen)
+    assert threading.get_ident() not in {thread for each in seen for thread in each}

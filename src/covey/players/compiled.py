@@ -19,7 +19,7 @@ from covey.planning.long_calls import interceptions_of, interruptible
 from covey.planning.open_loop import first_plan
 from covey.players.pursuers.committed import CommittedPursuer
 from covey.players.pursuers.fixed_order import BestSequence, FixedSequence, RandomSequence
-from covey.players.teams.open_loop import IterativeOpenLoop, OpenLoop, first_memory
+from covey.players.teams.open_loop import UPDATE_VALUES, IterativeOpenLoop, OpenLoop, first_memory
 from covey.simulation import Settings
 from covey.simulation.build_record import Played
 from covey.simulation.settings import GameSetup, first_state
@@ -28,7 +28,6 @@ BuiltInTeam = OpenLoop | IterativeOpenLoop
 BuiltInPursuer = CommittedPursuer | FixedSequence | BestSequence | RandomSequence
 
 _FIRST_ROWS = 256  # of a log, which grows
-_UPDATE_VALUES = 4  # values of the objective that an update computes, about
 
 
 class InitialGame(NamedTuple):
@@ -109,4 +108,4 @@ def play_compiled(
 def game_interceptions(first: Plan, objective: CompiledObjective, settings: Settings) -> float:
     """Return how many interceptions a game takes, about; for `interruptible`."""
     updates = first.survival_time / settings.update_time
-    return _UPDATE_VALUES * updates * interceptions_of(objective, len(first.turns))
+    return UPDATE_VALUES * updates * interceptions_of(objective, len(first.turns))

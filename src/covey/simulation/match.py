@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from covey.kernels.arrays import Workspace
 from covey.kernels.play.game import (
     ROWS,
     UPDATES,
@@ -20,7 +21,7 @@ from covey.model import PursuerDisk, Team
 from covey.planning.border import about_center
 from covey.planning.compiled_objective import compiled_objective
 from covey.planning.expectation import value_of_plan
-from covey.planning.workspace import workspace
+from covey.planning.long_calls import interceptions_of_minimum, interruptible
 from covey.simulation.build_record import Played, build_record
 from covey.simulation.information import (
     checked_decision,
@@ -136,5 +137,9 @@ class Match:
     def _write(self) -> None:
         if self._log.counters[ROWS] == len(self._log.times):
             self._log = grow_log(self._log)
-        scratch = workspace(len(self._setup.team))
-        write_row(self._log, self._state, self._rules, _NO_ROWS, -math.inf, scratch)
+        n = len(self._setup.team)
+
+        def write(scratch: Workspace) -> None:
+            write_row(self._log, self._state, self._rules, _NO_ROWS, -math.inf, scratch)
+
+        interruptible(write, n, False, interceptions_of_minimum(n, total=False))

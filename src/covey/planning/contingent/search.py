@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from covey.kernels.arrays import Workspace
 from covey.kernels.contingent.ascent import ascend_tree
 from covey.kernels.contingent.scratch import new_branches
 from covey.kernels.contingent.tree import Tree, answer_to, tree_sizes
@@ -22,9 +23,10 @@ from covey.model import LastCapture
 from covey.model.validation import Floats
 from covey.planning.compiled_objective import compiled_objective
 from covey.planning.contingent.moment import Moment, after_capture, last_turn
+from covey.planning.long_calls import interruptible
 from covey.planning.multistart import MAX_STEPS, NONE, Ascents, Search
 from covey.planning.open_loop import guess_uniforms
-from covey.planning.workspace import tree_scratch, workspace
+from covey.planning.workspace import tree_scratch
 
 RADIUS = 0.2
 """First trust-region radius of an ascent, radians."""
@@ -32,6 +34,8 @@ RADIUS = 0.2
 TOLERANCE = 1e-7
 """An ascent ends when a step promises less than this, relative to the value."""
 
+_WORK = 0.25
+"""Interceptions that take as long as an ascent on a tree of m turns, over m³, about."""
 _ROOTS = 2  # open-loop plans that trees are built on
 _STARTS = 16  # of the search for each open-loop plan
 _ROUNDS = 3  # trees that are built anew on the turns of the best tree, at most
@@ -66,14 +70,12 @@ def ascend(moment: Moment, depth: int, turns: Floats, branches: WorkingSet) -> A
     """Ascend from a tree, given flat. The working set is modified in place."""
     n = len(moment.evaders)
     tree = Tree(turns.copy(), depth, tree_sizes(n, depth))
-    value, status, steps, _ = ascend_tree(
-        problem_of(moment),
-        tree,
-        Options(RADIUS, TOLERANCE, MAX_STEPS),
-        branches,
-        tree_scratch(n, depth),
-        workspace(n),
-    )
+    problem, options = problem_of(moment), Options(RADIUS, TOLERANCE, MAX_STEPS)
+
+    def call(scratch: Workspace) -> tuple[float, int, int, int]:
+        return ascend_tree(problem, tree, options, branches, tree_scratch(n, depth), scratch)
+
+    value, status, steps, _ = interruptible(call, n, False, _WORK * len(turns) ** 3)
     return Ascent(value, tree.turns, branches, status, 1, steps)
 
 

@@ -7,11 +7,12 @@ from abc import ABC, abstractmethod
 
 import numpy as np
 
+from covey.kernels.arrays import Workspace
 from covey.kernels.play.commitment import Commitment, commit
 from covey.model import PursuerDisk, Team
 from covey.model.validation import Ints
 from covey.planning.border import paths_of, pursuit_of
-from covey.planning.workspace import workspace
+from covey.planning.long_calls import interceptions_of_minimum, interruptible
 from covey.simulation import Chase, PursuerPolicy, Situation
 
 
@@ -57,13 +58,13 @@ class SequenceFollower:
         followed = [living.index(i) for i in self._sequence if i in living]
         sequence = np.array(followed if followed else [0] * n, dtype=np.int64)
         disk, total = situation.pursuer, situation.objective.measure == "total"
-        commit(
-            paths_of(situation.team, disk, situation.turns),
-            pursuit_of(disk),
-            total,
-            Commitment(self._margin, sequence, bool(followed)),
-            workspace(n, total),
-        )
+        paths = paths_of(situation.team, disk, situation.turns)
+        commitment = Commitment(self._margin, sequence, bool(followed))
+
+        def choose(scratch: Workspace) -> None:
+            commit(paths, pursuit_of(disk), total, commitment, scratch)
+
+        interruptible(choose, n, total, interceptions_of_minimum(n, total))
         self._sequence = tuple(living[row] for row in sequence)
         return Chase(self._sequence)
 

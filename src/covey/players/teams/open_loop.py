@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from covey.kernels.arrays import LARGEST_TABLE
+from covey.kernels.arrays import LARGEST_TABLE, Workspace
 from covey.kernels.maximum.objective import elapsed_value
 from covey.kernels.maximum.problem import Problem
 from covey.kernels.play.policy import ReplanOptions, TeamMemory, forget, replan
@@ -17,6 +17,7 @@ from covey.model.validation import MOST_STARTS, Floats, whole_number
 from covey.planning import Plan
 from covey.planning.border import pursuit_of
 from covey.planning.compiled_objective import compiled_objective
+from covey.planning.long_calls import interceptions_of, interruptible
 from covey.planning.multistart import MAX_STEPS
 from covey.planning.open_loop import (
     DEFAULT_STARTS,
@@ -25,11 +26,12 @@ from covey.planning.open_loop import (
     guess_uniforms,
     working_set_of,
 )
-from covey.planning.workspace import workspace
 from covey.players.teams.replan_interval import ReplanningTeam, minimum_wait
 from covey.simulation import Situation, TeamPolicy
 from covey.simulation.strategy import in_any_frame
 
+UPDATE_VALUES = 4
+"""Values of the objective that an update computes, about."""
 REPLAN_TOLERANCE = 1e-7
 """An update stops at this relative predicted gain; the next update continues from there."""
 
@@ -179,9 +181,13 @@ class Replanning:
                 break
         turns = situation.turns.copy()
         problem = Problem(situation.team.as_rows(), pursuit_of(situation.disk), memory.objective)
+
+        def improve(scratch: Workspace) -> None:
+            replan(problem, options, memory, spent, restarts, turns, scratch)
+
         # The next call may come from another thread, which has workspaces of its own.
-        scratch = workspace(self._size, memory.objective.total)
-        replan(problem, options, memory, spent, restarts, turns, scratch)
+        work = UPDATE_VALUES * interceptions_of(memory.objective, living)
+        interruptible(improve, self._size, memory.objective.total, work)
         memory.last[0] = situation.time
         if not self._same_game:
             memory.last[1] = -math.inf
