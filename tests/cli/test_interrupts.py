@@ -49,3 +49,34 @@ def test_an_interrupt_while_python_ends_has_no_traceback():
         [sys.executable, "-c", ENDED], capture_output=True, encoding="utf-8", check=False
     )
     assert (done.returncode, done.stderr) == (-signal.SIGINT, "")
+
+
+IGNORED = """
+import signal, sys, time
+import covey.cli
+from covey.__main__ import run
+
+class Finalized:
+    def __del__(self):
+        signal.raise_signal(signal.SIGINT)
+
+def main():
+    Finalized()
+    while True:
+        time.sleep(0.01)
+
+covey.cli.main = main
+sys.exit(run())
+"""
+
+
+# Python ignores the exceptions of finalizers, and of callbacks of its import system.
+def test_an_interrupt_in_a_finalizer_is_not_ignored():
+    done = subprocess.run(
+        [sys.executable, "-c", IGNORED],
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+        timeout=50.0,
+    )
+    assert (done.returncode, done.stderr) == (130, "covey: stopped\n")
