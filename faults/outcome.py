@@ -11,7 +11,7 @@ import covey
 
 _PACKAGE = Path(covey.__file__).parent
 
-_TOLD = ("covey: ", "saved ")
+_TOLD = ("covey: ", "  starts ", "saved ")
 """How the lines begin that covey prints on standard error."""
 
 INTERRUPTED = 130

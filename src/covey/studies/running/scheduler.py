@@ -68,6 +68,7 @@ class Scheduler:
         self._waiting: deque[Chunk] = deque()
         self._quarantined: deque[Chunk] = deque()
         self._running: dict[Future[Any], Chunk] = {}
+        self._alone = False  # whether the running chunk was submitted while no other ran
         self._tries: Counter[int] = Counter()
         self._failures: list[Failure] = []
 
@@ -77,9 +78,8 @@ class Scheduler:
         while self._waiting or self._quarantined or self._running:
             self._submit_next()
             done = self._ended(self._running)
-            alone = len(self._running) == 1
             for future in done:
-                self._collect(self._running.pop(future), future, alone)
+                self._collect(self._running.pop(future), future)
         return self._failures
 
     def _ended(self, futures: Collection[Future[Any]]) -> set[Future[Any]]:
@@ -98,18 +98,19 @@ class Scheduler:
         while queue and len(self._running) < most:
             chunk = queue.popleft()
             self._running[self._submit(chunk)] = chunk
+            self._alone = most == 1
 
     def _submit(self, chunk: Chunk) -> Future[Any]:
         study = self._study.only(chunk.first, chunk.last)
         return self._executor.submit(play_chunk, study, chunk, code_digest())
 
-    def _collect(self, chunk: Chunk, future: Future[Any], alone: bool) -> None:
+    def _collect(self, chunk: Chunk, future: Future[Any]) -> None:
         error = future.exception()
         if error is None:
             self._save(chunk, future.result())
         elif isinstance(error, OtherCodeError):
             raise error
-        elif isinstance(error, BrokenExecutor) and not alone:
+        elif isinstance(error, BrokenExecutor) and not self._alone:
             self._quarantined.append(chunk)
         else:
             self._retry(chunk, error)
