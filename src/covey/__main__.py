@@ -6,10 +6,6 @@ import signal
 import sys
 import time
 from _thread import interrupt_main, start_new_thread
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from sys import UnraisableHookArgs
 
 
 def run() -> int:
@@ -30,7 +26,7 @@ def run() -> int:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
-def _raise_again(ignored: UnraisableHookArgs) -> None:
+def _raise_again(ignored: sys.UnraisableHookArgs) -> None:
     """Interrupt again if an interrupt came inside a finalizer, whose exceptions Python ignores."""
     if ignored.exc_type is KeyboardInterrupt:
         start_new_thread(_interrupt_soon, ())
