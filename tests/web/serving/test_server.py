@@ -194,7 +194,7 @@ def fly(server, seconds, seen):
     """Fly in circles; note for each frame when it came, the game's time and the rate."""
     with server.page() as page:
         say(page, type="new", choices={"evaders": 5, "capture_radius": 0.01, "seed": 1})
-        hear(page, "reference", timeout=60.0)
+        hear(page, "reference", timeout=600.0)  # one process plays those of all pages
         say(page, type="run", pace=1.0)
         frames, began = [], time.monotonic()
         while time.monotonic() < began + seconds:
