@@ -39,6 +39,12 @@ def test_a_file_and_its_content_give_the_same_table(saved):
     assert read_table(saved.read_bytes()).equals(TABLE)
 
 
+def test_columns_that_share_a_name_are_refused(tmp_path):
+    pq.write_table(pa.table([[1.0], [2.0]], names=["x", "x"]), tmp_path / "twice.parquet")
+    with pytest.raises(ValueError, match="a name of its own"):
+        read_table(tmp_path / "twice.parquet")
+
+
 # A thread that still holds the content when Python ends makes Python abort.
 @pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="counts threads as Linux does")
 def test_reading_starts_no_thread(saved):
